@@ -1,12 +1,11 @@
-//! Data of a crate: read from its folder in a build that checks itself, so that a changed word needs no compiler; built in where
-//! it is released.
+//! Data of a crate: read from its folder in a build that checks itself, built in where it is released.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::ops::Deref;
 use std::sync::{Mutex, PoisonError};
 
-/// A text that a crate has beside its sources. It reads as a `str`.
+/// A text that a crate has beside its sources; reads as a `str`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Text {
     /// What it says.
@@ -25,7 +24,6 @@ pub struct Unreadable {
     pub why: String,
 }
 
-/// What was read already.
 static READ: Mutex<BTreeMap<&str, &str>> = Mutex::new(BTreeMap::new());
 
 impl Text {
@@ -67,7 +65,7 @@ impl Deref for Text {
     }
 }
 
-/// A [`Text`] by its path from the folder of the crate in which this stands: `text!("verdicts.txt")`.
+/// A [`Text`] by its path from the crate's folder: `text!("verdicts.txt")`.
 #[macro_export]
 macro_rules! text {
     ($path:expr) => {{
@@ -98,8 +96,8 @@ pub enum Folder {
 }
 
 impl Folder {
-    /// The files whose names end so, also of folders in it: path from the folder and text, in the order of the paths. One that
-    /// cannot be read is left out.
+    /// The files whose names end so, also of folders in it: path from the folder and text, in order; without
+    /// those that cannot be read.
     pub fn texts(self, ending: &str) -> Vec<(String, String)> {
         let mut all = Vec::new();
         match self {
@@ -137,7 +135,7 @@ fn gather(folder: &std::path::Path, before: &str, all: &mut Vec<(String, String)
     }
 }
 
-/// A [`Folder`] by its path from the folder of the crate in which this stands: `folder!("rocq")`.
+/// A [`Folder`] by its path from the crate's folder: `folder!("rocq")`.
 #[macro_export]
 macro_rules! folder {
     ($path:tt) => {{

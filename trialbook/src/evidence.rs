@@ -1,4 +1,4 @@
-//! What a claim is and what a trial of it brings: the vocabulary of the claims and of their judge.
+//! The vocabulary of the claims and of their judge.
 
 mod compared;
 pub(crate) mod ranges;
@@ -59,8 +59,8 @@ pub enum Change {
     Statement,
 }
 
-/// The way by which a trial came to its evidence. Two trials are independent when their routes differ and
-/// they have read no runs in common.
+/// The way by which a trial came to its evidence; routes that differ and have read no runs in common are
+/// independent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Route {
@@ -78,7 +78,7 @@ pub enum Route {
     Limit,
     /// A count over many cases.
     Census,
-    /// Dimensions, and the use that the paper makes of a definition.
+    /// Dimensions, and how the paper uses a definition.
     Consistency,
 }
 
@@ -112,19 +112,19 @@ impl Route {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Subject {
-    /// The claim as printed, wherever the paper's own conditions hold.
+    /// The claim as printed, under the paper's own conditions.
     Printed,
-    /// The claim as printed, where a condition that the paper does not state holds as well.
+    /// The same under a condition that the paper does not state.
     Within,
-    /// The claim as printed, where that condition does not hold: disagreement is expected.
+    /// The claim as printed without that condition: disagreement is expected.
     Outside,
     /// What replaces a claim that fails.
     Corrected,
-    /// The step to the claim from what it rests on, be that right or wrong.
+    /// The step to the claim from what it rests on.
     Step,
-    /// What a condition excepts: that it has no inside, or that the claim has no value there.
+    /// That a condition's exception has no inside, or that the claim has no value there.
     Excepted,
-    /// What we remark beside the claim: it decides nothing, but has to hold.
+    /// What we remark beside the claim: it has to hold.
     Remark,
 }
 
@@ -153,8 +153,8 @@ impl Subject {
         }
     }
 
-    /// What the trial was about, in words; `conditional` for a claim that holds under a condition, in which
-    /// nothing is corrected, `ours` for one that is not printed.
+    /// What the trial was about, in words; `conditional` for a claim under a condition, `ours` for one not
+    /// printed.
     pub fn words(self, conditional: bool, ours: bool) -> &'static str {
         match self {
             Subject::Printed if ours => "as derived here",
@@ -192,8 +192,7 @@ pub struct Sample {
     pub found: f64,
 }
 
-/// A number each for what was stated, what was found and the scale of their difference, at all points together; it changes
-/// with the last bit of any of them. Seen by a mistake that is seeded in what is stated, and not elsewhere.
+/// A number each for what was stated, what was found and the scale, at all points together, to the last bit.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Sides {
     /// What the claim states.
@@ -207,7 +206,7 @@ pub struct Sides {
 /// What one trial brought.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Evidence {
-    /// The name of the trial: the path of its function, or of the statement that it proves.
+    /// The path of its function, or of the statement that it proves.
     pub trial: &'static str,
     /// How it was obtained.
     pub route: Route,
@@ -217,9 +216,9 @@ pub struct Evidence {
     pub compared: Compared,
     /// How many points were compared.
     pub points: usize,
-    /// At how many of them the two sides differ by more than the tolerance.
+    /// At how many of them the sides differ by more than the tolerance.
     pub failed: usize,
-    /// How many of them are the same as one before: where they are, and what was stated, found and taken for a scale there.
+    /// How many of them are the same as one before, in place and in all numbers.
     pub repeated: usize,
     /// The smallest and the largest scale.
     #[serde(skip)]
@@ -229,36 +228,35 @@ pub struct Evidence {
     /// What was stated, found and taken for a scale, at all points to the last bit.
     #[serde(skip)]
     pub sides: Sides,
-    /// The largest disagreement, in units of the scale that the comparison names; infinite where the
-    /// claim has no value and the motion has one; NaN where our own side failed.
+    /// The largest disagreement, in units of the scale; infinite where the claim alone has no value; NaN
+    /// where our own side failed.
     pub worst: f64,
     /// Where the largest disagreement was.
     pub at: String,
     /// What counts as agreement.
     pub tolerance: Tolerance,
-    /// A few of the compared pairs: the first ones, of those that disagree if any do; of a proof, all of these.
+    /// The first compared pairs, of those that disagree if any do; of a proof, all.
     pub samples: Vec<Sample>,
     /// The pair with the largest disagreement.
     pub farthest: Option<Sample>,
     /// The title of a proof; empty for a measurement.
     pub title: String,
-    /// The steps of a proof, in order, as plain text; none for a measurement.
+    /// The steps of a proof, as plain text; none for a measurement.
     pub steps: Vec<String>,
-    /// The proofs that it rests on, whose steps are not among its own, each after those that it rests on itself.
+    /// The proofs that it rests on, each after its own.
     #[serde(skip)]
     pub lemmas: Vec<Lemma>,
-    /// What has to be positive for what a proof by algebra shows, as plain text.
+    /// What has to be positive for a proof by algebra.
     #[serde(skip)]
     pub positive: Vec<String>,
-    /// True if it covers a part of the claim only: it can speak against the claim, but not for the whole of it.
+    /// It covers a part of the claim only: it can speak against the claim, but not for the whole.
     pub partial: bool,
-    /// The formulas that were read for it, by their paths: `some_crate::some_topic::eq13_time`; also those that were read
-    /// for what it shares with other trials.
+    /// The formulas read for it, by their paths: `some_crate::some_topic::eq13_time`.
     pub read: BTreeSet<&'static str>,
-    /// The shared runs that were read for it, by the places where they are declared.
+    /// The shared runs read for it, by where they are declared.
     #[serde(skip)]
     pub runs: BTreeSet<&'static Location<'static>>,
-    /// What the errata say of it, if it was not made now but read from a sheet, which has not all of it.
+    /// What the errata say of it, if it was read from a sheet and not made now.
     #[serde(skip)]
     pub recorded: Option<String>,
 }
@@ -281,12 +279,12 @@ pub enum Outcome {
     Disagrees,
     /// Our own side gave no number.
     NotANumber,
-    /// Not enough points to say anything, or most of them repeat others.
+    /// Not enough points, or most repeat others.
     TooFewPoints,
 }
 
 impl Evidence {
-    /// Evidence of no point yet; by whom it is found and what it reads is noted by who runs the trial.
+    /// Evidence of no point yet; who runs the trial notes its name and what it reads.
     pub fn new(route: Route, subject: Subject, compared: Compared, tolerance: Tolerance) -> Self {
         Evidence {
             trial: "",
@@ -323,7 +321,7 @@ impl Evidence {
         }
     }
 
-    /// Which form of the claim it is about, and whether about the whole of it, in words; `conditional` and `ours` as in
+    /// Which form of the claim it is about, and whether the whole of it; `conditional` and `ours` as in
     /// [`Subject::words`].
     pub fn about(&self, conditional: bool, ours: bool) -> String {
         let part = if self.partial { ", a part of it" } else { "" };
@@ -345,7 +343,7 @@ impl Evidence {
         self.points - self.repeated
     }
 
-    /// How many points have to differ: as many as its route needs, and half of all.
+    /// How many points have to differ: what its route needs, and half of all.
     pub fn needed(&self) -> usize {
         self.route.min_points().max(self.points.div_ceil(2))
     }

@@ -1,15 +1,14 @@
 //! Puts the claims of a paper on trial.
 //!
-//! A trial compares what a paper claims with what is found without it, and turns the comparison into [`evidence`]; the
-//! [`ledger`] judges: evidence in, verdict out. A printed formula is written once, over any [`scalar`], and then is a
-//! number or a tree. In it a mistake can be [`seeded`], to see that its trials notice.
+//! A trial compares what a paper claims with what is found without it, and gives [`evidence`]; the [`ledger`]
+//! judges. A printed formula is written once, over any [`scalar`]; a mistake can be [`seeded`] in it, to see
+//! that its trials notice.
 //!
-//! What is found without the paper is found with [`numerics`]. [`exact`] proves identities, [`certified`] encloses
-//! numbers and proves statements on whole ranges. [`plotting`] draws.
+//! [`numerics`] finds without the paper; [`exact`] proves identities, [`certified`] encloses numbers and
+//! proves statements on whole ranges; [`plotting`] draws.
 //!
-//! The [`book`] writes all of it down, and [`cli`] is the command; what a paper has of its own for them is said in [`publishing`].
-//!
-//! Nothing here knows which paper is on trial.
+//! The [`book`] writes it down, [`cli`] is the command; what a paper has of its own for them is said in
+//! [`publishing`].
 //!
 //! # Features
 //!

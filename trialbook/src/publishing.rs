@@ -1,4 +1,4 @@
-//! What the book and the command of a paper have of their own; all else is the same for every paper.
+//! What the book and the command of a paper have of their own.
 
 use crate::data::{Text, text};
 use crate::plotting::Figure;
@@ -6,7 +6,7 @@ use crate::seeded::Symbol;
 use crate::trials::Paper;
 use include_dir::{Dir, DirEntry};
 
-/// Why something of a paper's own could not be made: a sentence for the reader.
+/// Why something of a paper's own could not be made.
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 
 /// A paper's book and command.
@@ -26,7 +26,8 @@ pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Edition {
-    /// The name of the command; also of the book's style sheet, and of the file by which a folder is known as its book.
+    /// The name of the command, of the book's style sheet, and of the file by which a folder is known as its
+    /// book.
     pub name: &'static str,
     /// The version of the command; empty if it has none.
     pub version: &'static str,
@@ -36,32 +37,32 @@ pub struct Edition {
     pub description: &'static str,
     /// The icon of its pages, an SVG.
     pub icon: &'static str,
-    /// The picture that stands for the book where a link to it is shared: its name within the book, and its bytes.
+    /// The picture where a link to the book is shared: its name within the book, and its bytes.
     pub picture: Option<(&'static str, &'static [u8])>,
-    /// Where the book stands on the web, with a slash at its end: who shares a link sees the picture only by a whole
-    /// address. Without it the addresses are relative.
+    /// Where the book stands on the web, with a slash at its end; without it addresses are relative, and
+    /// shared links show no picture.
     pub address: Option<&'static str>,
-    /// Where the program that makes the book is kept. Without it, it is named and not linked.
+    /// Where the program is kept, for a link to it.
     pub repository: Option<&'static str>,
     /// The paper.
     pub paper: &'static Paper,
-    /// The pages: `index` stands first, then those of the topics, whose titles are the topics', then all others, part by
-    /// part, in this order. Where `index` or the page of a topic is missing, one is made.
+    /// The pages: `index` first, then those of the topics, then all others, part by part. A missing `index`
+    /// or page of a topic is made.
     pub pages: &'static [Page],
-    /// Addresses of earlier books, and where what was there is now: `values.html` is a whole page, whose places keep their
-    /// names on the new one but for those that are listed, such as `values.html#index`, and `values.html#old-` for all that begin so.
+    /// Where addresses of earlier books lead now: `values.html` is a whole page, whose places keep their
+    /// names but for those listed, such as `values.html#index`, and `values.html#old-` for all that begin so.
     pub moved: &'static [(&'static str, &'static str)],
-    /// The pages behind those; one whose stem is among them is left out.
+    /// The pages behind those, unless a stem is among them.
     pub usual: &'static [Page],
     /// Draws the figures. The map of claims is drawn anyway.
     pub figures: fn() -> Result<Vec<Figure>, Failure>,
     /// The symbols of the formulas.
     pub symbols: &'static [Symbol],
-    /// To what a place answers first in the search, whether or not it stands there, a line each: its address, such as
-    /// `errata.html#errata`, a tabulator, and with `; ` between them words, which are found in any question, and phrases, which are
-    /// found whole. A claim has its own ([`Claim::aliases`](crate::trials::Claim)).
+    /// To what a place answers first in the search, a line each: its address, a tabulator, and with `; `
+    /// between them words, found in any question, and phrases, found whole. A claim has its own
+    /// ([`Claim::aliases`](crate::trials::Claim)).
     pub aliases: &'static str,
-    /// Where the reader may break the formula of the claim of this id, if anywhere: an address.
+    /// Where the reader may break the formula of this claim: an address.
     pub breaks: fn(&str) -> Option<String>,
     /// The code to show.
     pub sources: Sources,
@@ -73,15 +74,15 @@ pub struct Edition {
     pub files: fn() -> Vec<(String, String)>,
     /// The other texts that all this is made of.
     pub data: fn() -> Vec<Text>,
-    /// The commands of its own, listed after those of every paper.
+    /// The commands of its own.
     pub commands: &'static [Command],
-    /// What follows a command in the example of its help, where the first claim of the paper would not do: the
-    /// command's name, and its arguments.
+    /// The arguments of a command, by its name, in the example of its help, where the first claim would not
+    /// do.
     pub examples: &'static [(&'static str, &'static str)],
 }
 
 impl Edition {
-    /// The book of a paper with nothing but what every paper has, by the name of its command.
+    /// The book of a paper with only what every paper has, by its command's name.
     pub const fn of(name: &'static str, paper: &'static Paper) -> Self {
         Self {
             name,
@@ -110,7 +111,7 @@ impl Edition {
         }
     }
 
-    /// Whether what it is made of can be read: the paper's claims and its pages.
+    /// Whether the paper's claims and its pages can be read.
     ///
     /// # Errors
     /// What is wrong, with its file.
@@ -135,7 +136,6 @@ impl Edition {
         Ok(())
     }
 
-    /// Where a claim is named that is not there: in a placeholder of a page or of the letter, by a symbol, a formula or an example.
     fn strangers(&self) -> Vec<String> {
         // Of a file that cannot be read nothing is known.
         let Some(ids) = self.paper.ids() else {
@@ -188,7 +188,7 @@ impl Edition {
     }
 }
 
-/// Whether a word has the form of a claim's id: `eq-13`, `fig-3`, `s22-no-rest-below`.
+/// `eq-13`, `fig-3`, `s22-no-rest-below`.
 fn is_id(word: &str) -> bool {
     let Some((kind, name)) = word.split_once('-') else {
         return false;
@@ -209,7 +209,7 @@ pub enum Part {
     Check,
     /// What they rest on.
     Trust,
-    /// For whoever programs: nothing there is about the paper.
+    /// For programmers.
     Use,
 }
 
@@ -280,10 +280,10 @@ impl Page {
 /// The code to show beside the claims.
 #[derive(Debug, Clone, Copy)]
 pub struct Sources {
-    /// The files, by their paths below `src` or, with `/src/` in them, from the top of the repository, and their texts. In folders, `paper`, `corrections` and `claims` have a file
-    /// or a folder for each topic, by its stem; without folders any file may hold anything.
+    /// The files, by their paths below `src` or, with `/src/` in them, from the top of the repository, and
+    /// their texts. In folders, `paper`, `corrections` and `claims` have a file or a folder for each topic.
     pub files: fn() -> Vec<(String, &'static str)>,
-    /// The file in which the motion of the topic of this stem is found without the paper.
+    /// The file in which this topic's motion is found without the paper.
     pub motion: fn(&str) -> Option<&'static str>,
 }
 
@@ -295,7 +295,7 @@ impl Sources {
     };
 }
 
-/// The texts in a folder and in those within it, by their paths below it.
+/// The texts in a folder and below, by their paths.
 pub fn texts(folder: &'static Dir<'static>) -> Vec<(&'static str, &'static str)> {
     let mut texts = Vec::new();
     let mut open: Vec<&DirEntry<'_>> = folder.entries().iter().collect();
@@ -343,7 +343,7 @@ pub struct Word {
 pub struct Placeholder {
     /// What stands between the braces.
     pub name: &'static str,
-    /// What fills it on the page of this stem; of a name that ends with a blank, what fills it with what stands behind.
+    /// What fills it, from the page's stem or, of a name that ends with a blank, from what stands behind.
     pub fill: fn(&str) -> Result<Filled, Failure>,
 }
 

@@ -1,7 +1,5 @@
-//! The one vocabulary of numbers that both sides share: what a printed formula may be made of.
-//!
-//! A formula of the paper is written once, generic over [`Scalar`], and is then a number (`f64`)
-//! or a syntax tree that the exact side can read (`exact::Expr`).
+//! The one vocabulary of numbers that both sides share. A formula of the paper is written once, generic over
+//! [`Scalar`], and is then a number (`f64`) or a syntax tree (`exact::Expr`).
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,9 +1,6 @@
-//! Seeded mistakes: a formula evaluated with one place changed, to see that its trials reject it.
-//!
-//! A formula written inside `formulas!` is what stands there, except on a thread on which [`with`] has seeded a
-//! mistake in it. Then its arguments become [`Seeded`] numbers, which count the places that the evaluation passes
-//! and change the chosen one. So a mistake reaches every kind of [`Scalar`](crate::scalar::Scalar) alike, numbers
-//! and trees, and a trial cannot tell it from a misprint. What [`reading`] watches is noted too: which formulas it reads.
+//! Seeded mistakes: a formula evaluated with one place changed, to see that its trials reject it. On a thread
+//! on which [`with`] has seeded one, the arguments of a formula in `formulas!` are [`Seeded`] numbers, which
+//! count the places passed and change the chosen one.
 // Where it is not built, its name leads to the feature that brings it.
 #![cfg_attr(
     not(feature = "trials"),
@@ -48,12 +45,12 @@ macro_rules! where_seeded {
     ($($code:tt)*) => {};
 }
 
-/// Formulas in which a mistake can be seeded, and `formulas()`, the list of them. Each is generic over `S: Scalar`,
-/// its arguments and its value are of type `S` or arrays of `S`. The arguments' letters are those of the symbols. A
-/// formula whose name has no number says before it which claim tries it, `claim "some-id";`, if one does.
+/// Formulas in which a mistake can be seeded, and `formulas()`, the list of them: generic over `S: Scalar`,
+/// arguments and value of type `S` or arrays of `S`, the letters those of the symbols. A formula whose name
+/// has no number says which claim tries it, if one does: `claim "some-id";`.
 ///
-/// `eq13_time::tree()` is the formula `eq13_time` as a tree, in the letters of its arguments; `eq13_time::parts()` the
-/// same as a list, which has one tree for a formula that is no vector.
+/// `eq13_time::tree()` is the formula `eq13_time` as a tree; `eq13_time::parts()` the same as a list, also
+/// where it is no vector.
 #[macro_export]
 macro_rules! formulas {
     (symbols $symbols:expr; $(

@@ -1,7 +1,7 @@
-//! Theorems that a proof assistant's kernel has accepted: what its files say, and the record of what was accepted.
+//! Theorems that a proof assistant's kernel has accepted, and the record of them.
 //!
-//! A theorem `eq_13` speaks of the whole of the claim `eq-13`; one with more behind two underscores, `eq_13__printed`, of a part
-//! of it, or of what is wrong with it. That the hypotheses of `eq_13` can be met, `eq_13__occurs` shows.
+//! `eq_13` speaks of the whole of the claim `eq-13`; `eq_13__printed` and the like of a part, or of what is
+//! wrong with it; `eq_13__occurs` shows that the hypotheses of `eq_13` can be met.
 
 pub mod formulas;
 pub mod prose;
@@ -36,11 +36,11 @@ pub struct Known {
     pub sources: Sources,
     /// The record.
     pub record: Vec<Accepted>,
-    /// The claims that try the formulas, by the names of their definitions, and whether these are printed.
+    /// The claims that try the formulas, by definition, and whether these are printed.
     pub formulas: BTreeMap<String, (String, bool)>,
     /// What is wrong with it.
     pub fault: Option<String>,
-    /// The names of those that are still what was accepted; found when they are first asked for.
+    /// Still what was accepted; found when first asked for.
     current: OnceLock<BTreeSet<String>>,
 }
 
@@ -81,13 +81,13 @@ impl Theorems {
     }
 }
 
-/// The name of the theorem that says the whole of a claim: `eq_13` of `eq-13`.
+/// The theorem that says the whole of a claim: `eq_13` of `eq-13`.
 pub fn named(claim: &str) -> String {
     claim.replace('-', "_")
 }
 
 impl Known {
-    /// What was accepted of a claim and is still what the files and the formulas say: the theorem of the whole first.
+    /// What was accepted of a claim and is still what files and formulas say: the theorem of the whole first.
     pub fn of_claim(&self, claim: &str) -> Vec<(&Accepted, &Item)> {
         let name = named(claim);
         let own = |accepted: &&Accepted| accepted.name.split("__").next() == Some(&name);
@@ -101,7 +101,7 @@ impl Known {
         all
     }
 
-    /// Whether a theorem says when the claim as printed holds, or that it does not.
+    /// Whether a theorem restricts or refutes the claim as printed.
     pub fn refutes(&self, claim: &str) -> bool {
         self.accepts(&format!("{}__printed", named(claim)))
     }
@@ -130,7 +130,7 @@ impl Known {
         current.contains(&accepted.name).then_some((accepted, item))
     }
 
-    /// How the formula of a definition is written: `\\text{(13)}`, with a hat where it is what replaces a printed one or adds to it.
+    /// How the formula of a definition is written: `\\text{(13)}`, with a hat where it corrects or adds.
     pub fn formula(&self, paper: &Paper, name: &str) -> Option<String> {
         let (claim, printed) = self.formulas.get(name)?;
         let (_, claim) = paper.find(claim)?;
@@ -154,7 +154,7 @@ impl Known {
         named.any(|accepted| self.current(accepted).is_some())
     }
 
-    /// The theorems that belong into the record: those of claims, and those that chapters bring beside them.
+    /// The theorems for the record: those of claims, and those that chapters bring beside them.
     pub fn wanted(&self, paper: &Paper) -> Vec<&Item> {
         let claims: BTreeMap<String, ()> = paper
             .claims()

@@ -1,4 +1,4 @@
-//! The book in two steps: what stands on its pages whatever the verdicts, and all that fills them.
+//! The book in two steps: its pages whatever the verdicts, and what fills them.
 
 use super::{
     assets,
@@ -26,16 +26,14 @@ use std::path::{Path, PathBuf};
 
 const PRINT: &str = "print.html";
 
-/// The book as mdBook renders it, in a temporary folder: with marks for formulas and for what fills the placeholders.
-/// Nothing in it depends on a verdict, so that it can be made while the claims are tried.
+/// The book as mdBook renders it, with marks for formulas and placeholders, whatever the verdicts: it is made
+/// while the claims are tried.
 pub struct Frame<'a> {
     edition: &'a Edition,
     staging: Staging,
     pages: Vec<Page>,
-    /// The placeholders, by number.
     blanks: Vec<Blank>,
     maths: Maths,
-    /// File and HTML of each page, in the order of the book, the one for printing last.
     html: Vec<(String, String)>,
 }
 
@@ -94,7 +92,7 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// Fills the pages, puts the book in its place, and returns the path of its first page.
+    /// Fills the pages, puts the book in place, and returns its first page.
     ///
     /// # Errors
     /// As for [`write()`](super::write()).
@@ -199,7 +197,6 @@ impl<'a> Frame<'a> {
         filled.into_iter().collect()
     }
 
-    /// Puts what fills them and the formulas into mdBook's pages, and our index in place of mdBook's.
     fn finish(
         &self,
         context: &Context<'_>,
@@ -253,7 +250,6 @@ impl<'a> Frame<'a> {
         put(&book.join("searchindex.js"), index?.as_bytes())
     }
 
-    /// Links to places on other pages as links within the page for printing, as mdBook does it for what it reads.
     fn within_one_page(&self, html: &str) -> String {
         const LINK: &str = "href=\"";
         after_each(html, LINK, |part, out| {
@@ -265,14 +261,13 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// What a page for printing shows of a block: no scripts, and not the values that agree; those that disagree are unfolded.
+/// No scripts, and not the values that agree; those that disagree are unfolded.
 fn on_paper(html: &str) -> String {
     let html = without(html, "<script", "</script>");
     without(&html, "<details class=\"samples\">", "</details>")
 }
 
-/// A page with something put in the place of each mark, and whether that is a block: a mark that is alone in its
-/// paragraph then stands for all of it.
+/// A mark that is alone in its paragraph stands for all of it.
 fn with_blanks(html: &str, put_in: impl Fn(usize) -> Option<(String, bool)>) -> String {
     after_each(html, MARK.0, |part, out| {
         let (number, mut after) = part.split_once(MARK.1).unwrap_or((part, ""));
@@ -288,7 +283,6 @@ fn with_blanks(html: &str, put_in: impl Fn(usize) -> Option<(String, bool)>) -> 
     })
 }
 
-/// A chapter with its listings folded away, but for those in what is folded already.
 fn with_folds(html: &str) -> String {
     const LISTING: [&str; 2] = ["<pre><code class=\"language-rust\">", "</code></pre>"];
     let mut out = String::with_capacity(html.len() + html.len() / 16);
@@ -314,7 +308,6 @@ fn with_folds(html: &str) -> String {
     out + rest
 }
 
-/// Lets mdBook make `book` from `source`.
 fn render(edition: &Edition, source: &Path, book: &Path) -> Result<(), BookError> {
     let failed = |error| BookError::Render(format!("{error:#}"));
     let mut config: Config = assets::settings(edition).parse().map_err(failed)?;

@@ -2,17 +2,15 @@
 
 use crate::publishing::Edition;
 
-/// The settings, as mdBook reads them; the book's own style sheet and script are yet without their name.
+/// As mdBook reads them; the book's own style sheet and script are yet without their name.
 const SETTINGS: &str = include_str!("../../theme/book.toml");
 
-/// A list of files: path within the book, and bytes.
 macro_rules! files {
     ($($path:literal),+ $(,)?) => {
         &[$(($path, include_bytes!(concat!("../../", $path)).as_slice())),+]
     };
 }
 
-/// The style sheets, with the fonts and the licences that belong to them.
 const THEME: &[(&str, &[u8])] = files![
     "theme/book.css",
     "theme/access.css",
@@ -52,7 +50,6 @@ pub(super) fn settings(edition: &Edition) -> String {
     SETTINGS.replace("theme/book.", &format!("theme/{}.", edition.name))
 }
 
-/// The files of this book: path within the book, and bytes.
 pub(super) fn theme(edition: &Edition) -> impl Iterator<Item = (String, &'static [u8])> {
     let named = format!("theme/{}.", edition.name);
     let files = THEME.iter();

@@ -1,4 +1,4 @@
-//! Nothing half-written: the book is made beside its place and changes places with what is there.
+//! Nothing half-written: the book is made beside its place, and both change places.
 
 use super::error::BookError;
 use std::fs::{self, File};
@@ -6,25 +6,22 @@ use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-/// The file in a temporary folder that its run keeps locked, with the name of the book's place. The system ends the lock with the
-/// run, however that ends.
+/// Locked as long as its run lives, however that ends; holds the name of the book's place.
 const LOCK: &str = "lock";
 
-/// How often another run may come in between.
 const ATTEMPTS: usize = 10;
 
-/// A temporary folder on the same file system as the book's place.
+/// On the same file system as the book's place.
 pub(super) struct Staging {
     // Closed before the folder goes, as some systems want it.
     _lock: File,
     folder: TempDir,
     out: PathBuf,
-    /// The name of the program.
     name: &'static str,
 }
 
 impl Staging {
-    /// A temporary folder beside `out`, whose parent is made where it is missing. It goes when it is dropped.
+    /// Makes the parent where it is missing. The folder goes when it is dropped.
     pub(super) fn beside(out: &Path, name: &'static str) -> Result<Self, BookError> {
         let out = resolve(out).map_err(|reason| unwritable(out, reason))?;
         let no_parent = || io::Error::new(ErrorKind::InvalidInput, "this is no folder's name");
@@ -44,7 +41,6 @@ impl Staging {
         })
     }
 
-    /// Where an error is to be said to be.
     pub(super) fn places(&self) -> Places {
         Places {
             folder: self.folder.path().to_owned(),
@@ -52,12 +48,10 @@ impl Staging {
         }
     }
 
-    /// A path within the temporary folder.
     pub(super) fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }
 
-    /// Marks a folder as a book of the program.
     pub(super) fn mark(&self, book: &Path) -> Result<(), BookError> {
         let text = format!(
             "Written by {}. The next run replaces this folder as a whole.\n",
@@ -66,7 +60,7 @@ impl Staging {
         super::put(&book.join(marker(self.name)), text.as_bytes())
     }
 
-    /// Puts the finished `book` in place; returns where that is. Of two runs that do so at once, the later one wins.
+    /// Of two runs that do so at once, the later one wins.
     pub(super) fn swap(self, book: &Path) -> Result<PathBuf, BookError> {
         for attempt in 0.. {
             check(&self.out, self.name)?;
@@ -95,14 +89,12 @@ impl Staging {
     }
 }
 
-/// The temporary folder, of which nobody has heard, and the place that it stands for.
 pub(super) struct Places {
     folder: PathBuf,
     out: PathBuf,
 }
 
 impl Places {
-    /// An error about the temporary folder, as one about the place.
     pub(super) fn named(&self, error: BookError) -> BookError {
         match error {
             BookError::Unwritable { path, reason } if path.starts_with(&self.folder) => {
@@ -113,7 +105,7 @@ impl Places {
     }
 }
 
-/// Makes a file and locks it. There is something in it only once it is locked, so that no other run finds it free before.
+/// There is something in it only once it is locked, so that no other run finds it free before.
 fn lock(path: &Path, out: &Path) -> io::Result<File> {
     let mut file = File::create(path)?;
     // A file system without locks has none that could be found free, either.
@@ -124,8 +116,8 @@ fn lock(path: &Path, out: &Path) -> io::Result<File> {
     Ok(file)
 }
 
-/// Removes what killed runs have left in `parent`: temporary folders whose lock nobody holds. A book that such a run has taken
-/// away, and put none in its place, goes back first. What cannot be removed is in nobody's way.
+/// Removes temporary folders whose lock nobody holds. A book that a killed run has taken away goes back
+/// first. What cannot be removed is in nobody's way.
 fn sweep(parent: &Path, prefix: &str) {
     let entries = fs::read_dir(parent).into_iter().flatten().flatten();
     for entry in entries.filter(|e| e.file_name().to_string_lossy().starts_with(prefix)) {
@@ -148,13 +140,11 @@ fn sweep(parent: &Path, prefix: &str) {
     }
 }
 
-/// The file by which a folder is known as a book of the program of this name.
 fn marker(name: &str) -> String {
     format!(".{name}")
 }
 
-/// Refuses a place that holds what is not a book of ours. While another run swaps its book in, this may look so for a
-/// moment: what is not ours stays so.
+/// While another run swaps its book in, a place may look foreign for a moment: what is not ours stays so.
 fn check(out: &Path, name: &str) -> Result<(), BookError> {
     for _ in 0..ATTEMPTS {
         let empty = match fs::read_dir(out) {
@@ -177,7 +167,7 @@ pub(super) fn unwritable(path: &Path, reason: io::Error) -> BookError {
     }
 }
 
-/// The system's own words, without the temporary name that `tempfile` adds.
+/// Without the temporary name that `tempfile` adds.
 pub fn bare(error: io::Error) -> io::Error {
     match error.raw_os_error() {
         Some(code) => io::Error::from_raw_os_error(code),
@@ -185,7 +175,7 @@ pub fn bare(error: io::Error) -> io::Error {
     }
 }
 
-/// The absolute path, links followed where the folder exists.
+/// Links followed where the folder exists.
 fn resolve(out: &Path) -> io::Result<PathBuf> {
     // Not asked for first: another run may take it away between the question and the answer.
     match out.canonicalize() {
@@ -204,7 +194,6 @@ fn resolve(out: &Path) -> io::Result<PathBuf> {
 mod tests {
     use super::*;
 
-    /// A finished book in a staging folder.
     fn staged(out: &Path, text: &str) -> (Staging, PathBuf) {
         let staging = Staging::beside(out, "paper").unwrap();
         let book = staging.path("book");

@@ -14,14 +14,12 @@ use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::{Entry, Tally};
 use crate::trials::{Claim, Sort};
 
-/// The box of one claim, as a block of HTML: what is stated, what is wrong with it, and behind a fold the evidence.
 pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Html {
     let (claim, judgement, maths) = (entry.claim, &entry.judgement, context.maths);
     let wrong = entry.in_short().map(|words| maths.words(&words));
     let wrong = wrong.transpose()?.map_or(String::new(), |words| {
         format!("<p class=\"claim-verdict\"><strong>{words}</strong></p>")
     });
-    // Claims that it names are links.
     let ground = maths.words(&format!("It {}.", judgement.ground))?;
     let words = ground.split(' ').map(|word| {
         let id = word.trim_end_matches([',', '.']);
@@ -61,13 +59,11 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Html {
     ))
 }
 
-/// Where old addresses lead.
 fn was(claim: &Claim) -> String {
     let anchor = |id: &&str| format!("<span id=\"{}\"></span>", escape(id));
     claim.was.iter().map(anchor).collect()
 }
 
-/// Whose claim it is, if it is not the paper's.
 fn ours(claim: &Claim) -> String {
     match claim.ours {
         true => "<p class=\"claim-label\">Derived here, not printed</p>".to_owned(),
@@ -87,7 +83,6 @@ pub(super) fn heading(claim: &Claim) -> String {
     }
 }
 
-/// What a claim states, or what replaces it: a formula on its own line, or words with formulas in them.
 pub(super) fn statement(context: &Context<'_>, claim: &Claim, latex: &str) -> Html {
     if is_formula(claim, latex) {
         let formula = context.maths.display(latex)?;
@@ -98,7 +93,6 @@ pub(super) fn statement(context: &Context<'_>, claim: &Claim, latex: &str) -> Ht
     }
 }
 
-/// What a claim states, within a line.
 pub(super) fn statement_in_line(context: &Context<'_>, claim: &Claim) -> Html {
     if is_formula(claim, claim.latex) {
         context.maths.inline(claim.latex)
@@ -112,7 +106,6 @@ fn is_formula(claim: &Claim, latex: &str) -> bool {
     claim.equation.is_some() && !latex.contains('$')
 }
 
-/// What is printed; of a claim that fails, beside it what is right, and why.
 fn statements(context: &Context<'_>, entry: &Entry) -> Html {
     let claim = entry.claim;
     let fails = entry.judgement.verdict.is_wrong();
@@ -136,7 +129,7 @@ fn statements(context: &Context<'_>, entry: &Entry) -> Html {
     ))
 }
 
-/// The class of two forms that stand side by side; words take as much room as there is, many words more of it than few.
+/// Words take as much room as there is, many words more of it than few.
 pub(super) fn side_by_side([old, new]: [&String; 2]) -> &'static str {
     let words = |form: &String| form.contains("<p class=\"claim-words\"");
     match words(old) || words(new) {
@@ -146,7 +139,6 @@ pub(super) fn side_by_side([old, new]: [&String; 2]) -> &'static str {
     }
 }
 
-/// What is printed and what is right, with what is changed marked.
 pub(super) fn forms(
     context: &Context<'_>,
     claim: &Claim,
@@ -172,7 +164,7 @@ pub(super) fn forms(
     Ok([statement(context, claim, &old)?, new])
 }
 
-/// A formula without the words that stand behind it, which may be too long for its line, and these.
+/// The words behind a formula may be too long for its line.
 fn apart(latex: &str) -> (&str, Option<&str>) {
     let parts = latex.strip_suffix('}');
     match parts.and_then(|latex| latex.split_once(r"\quad\text{")) {
@@ -181,14 +173,14 @@ fn apart(latex: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// What is left of an asymptotic law when the bracket behind it, `\left[1-…\right]`, is taken for 1: that is what the printed
-/// law is to be held against.
+/// An asymptotic law with the bracket behind it, `\left[1-…\right]`, taken for 1: against that the printed
+/// law is held.
 fn leading(latex: &str) -> Option<&str> {
     let (leading, bracket) = latex.split_once(r"\left[1")?;
     bracket.ends_with(r"\cdots\right]").then_some(leading)
 }
 
-/// A form of a claim that is regular where the printed one is not: nothing is corrected by it.
+/// A form that is regular where the printed one is not: nothing is corrected by it.
 fn unconditional(context: &Context<'_>, entry: &Entry) -> Html {
     let conditional = entry.judgement.verdict.has_condition();
     let Some(form) = entry.claim.correction.filter(|_| conditional) else {
@@ -198,7 +190,6 @@ fn unconditional(context: &Context<'_>, entry: &Entry) -> Html {
     Ok(format!("<p class=\"claim-label\">A regular form</p>{form}"))
 }
 
-/// Why the claim fails, and a case to check on paper.
 fn by_hand(context: &Context<'_>, entry: &Entry) -> Html {
     let fails = entry.judgement.verdict.is_wrong();
     let Some(case) = entry.claim.by_hand.filter(|_| fails) else {
@@ -212,7 +203,6 @@ fn by_hand(context: &Context<'_>, entry: &Entry) -> Html {
     ))
 }
 
-/// The conditions that are stated with a claim, in a line.
 fn given(context: &Context<'_>, claim: &Claim) -> Html {
     let stated = claim.conditions.iter().filter(|c| c.sort == Sort::Stated);
     let stated: Result<Vec<_>, _> = stated.map(|c| context.maths.words(c.text)).collect();
@@ -240,7 +230,6 @@ fn conditions(context: &Context<'_>, claim: &Claim) -> Html {
     Ok(html + "</ul>")
 }
 
-/// Words in which a claim's title in quotation marks is a link to its box.
 fn linked(context: &Context<'_>, words: &str) -> Html {
     let mut parts = words.split('“');
     let mut out = parts.next().unwrap_or_default().to_owned();
@@ -254,7 +243,6 @@ fn linked(context: &Context<'_>, words: &str) -> Html {
     Ok(out)
 }
 
-/// What no program checks of its proof.
 fn argument(context: &Context<'_>, claim: &Claim) -> Html {
     if claim.argument.is_empty() {
         return Ok(String::new());
@@ -346,7 +334,6 @@ fn trial<'a>(
     ))
 }
 
-/// A few of the compared pairs; of those that disagree, unfolded, the farthest apart too.
 fn samples(maths: &Maths, evidence: &Evidence) -> Html {
     if evidence.samples.is_empty() {
         return Ok(String::new());
@@ -374,13 +361,11 @@ fn samples(maths: &Maths, evidence: &Evidence) -> Html {
     ))
 }
 
-/// What the claim depends on, and what depends on it.
 fn neighbours(context: &Context<'_>, claim: &Claim) -> Html {
     Ok(context.neighbours("Depends on", claim.depends_on)?
         + &context.neighbours("Used by", &context.users(claim.id))?)
 }
 
-/// Links to the code of both sides, and to where they meet.
 fn code(context: &Context<'_>, entry: &Entry) -> String {
     let (code, topic, claim) = (context.code, entry.topic, entry.claim);
     let corrections = claim.correction.and_then(|_| code.corrections(topic));
@@ -398,7 +383,6 @@ fn code(context: &Context<'_>, entry: &Entry) -> String {
     }
 }
 
-/// The LaTeX, to copy; nothing where the statement has none.
 fn source(claim: &Claim) -> String {
     let has_formula = |latex: &&str| is_formula(claim, latex) || latex.contains('$');
     let forms = [Some(claim.latex), claim.correction.map(|c| c.latex)];

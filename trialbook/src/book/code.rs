@@ -1,4 +1,4 @@
-//! The code behind the claims: the sources as pages of the book, and where in them a claim's parts stand.
+//! The code behind the claims: sources as pages, and where a claim's parts stand.
 
 use super::{
     error::Html,
@@ -11,7 +11,6 @@ use std::collections::BTreeMap;
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Place {
-    /// The file as [`Code`] has it.
     file: String,
     /// The function, or the id of a claim; empty for the file as a whole.
     name: String,
@@ -23,13 +22,11 @@ impl Place {
         Place { file, name }
     }
 
-    /// The address within the book.
     pub(super) fn address(&self) -> String {
         let hash = if self.name.is_empty() { "" } else { "#" };
         format!("{}{hash}{}", page(&self.file), self.name)
     }
 
-    /// A link, with the function's name or else the file's.
     pub(super) fn link(&self) -> String {
         let words = match self.name.as_str() {
             "" => &self.file,
@@ -41,17 +38,15 @@ impl Place {
 
 pub(super) struct Code<'a> {
     edition: &'a Edition,
-    /// Files shown, by their path below `src` or, for those of another crate, from the top; or where the claims are.
+    /// By their path below `src` or, of another crate, from the top; or where the claims are.
     files: BTreeMap<String, Source>,
 }
 
 struct Source {
     text: &'static str,
-    /// Its functions, or its claims, with their lines counted from 0.
     places: Vec<(usize, &'static str)>,
 }
 
-/// Where a file is, from the top of the repository.
 fn path(file: &str) -> String {
     let here = file.ends_with(".rs") && !file.contains("/src/");
     format!("{}{file}", if here { "src/" } else { "" })
@@ -79,7 +74,7 @@ impl<'a> Code<'a> {
         Code { edition, files }
     }
 
-    /// The sources of a topic in a module: `claims/escape.rs` and all in `claims/escape`. All where there are no modules.
+    /// `claims/escape.rs` and all in `claims/escape`; all where there are no modules.
     fn of_topic(&self, module: &str, topic: &Topic) -> impl Iterator<Item = (&str, &Source)> {
         let stem = format!("{module}/{}", topic.stem);
         let mut modules = self.files.keys().filter(|file| file.ends_with(".rs"));
@@ -94,7 +89,6 @@ impl<'a> Code<'a> {
         })
     }
 
-    /// The printed formula of a numbered claim; none for words.
     pub(super) fn printed(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
         let start = format!("eq{}_", claim.equation?);
         let mut functions = self
@@ -104,26 +98,22 @@ impl<'a> Code<'a> {
         Some(Place::new(file, name))
     }
 
-    /// The file of the corrections of a topic.
     pub(super) fn corrections(&self, topic: &Topic) -> Option<Place> {
         let (file, _) = self.of_topic("corrections", topic).next()?;
         Some(Place::new(file, ""))
     }
 
-    /// The side that knows no formula, for a topic.
     pub(super) fn motion(&self, topic: &Topic) -> Option<Place> {
         let file = (self.edition.sources.motion)(topic.stem)?;
         let (file, _) = self.files.get_key_value(file)?;
         Some(Place::new(file, ""))
     }
 
-    /// The entry of a claim.
     pub(super) fn entry(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
         let (file, _) = self.files.get_key_value(topic.file.path)?;
         Some(Place::new(file, claim.id))
     }
 
-    /// Where a trial is written.
     pub(super) fn trial(&self, trial: &Attempt) -> Option<Place> {
         let path = trial.file();
         let here = |file: &&String| {
@@ -138,7 +128,7 @@ impl<'a> Code<'a> {
         Some(Place::new(file, name))
     }
 
-    /// How much code stands in these modules, by their paths, without comments and tests.
+    /// Without comments and tests.
     pub(super) fn lines(&self, modules: &[&str]) -> Html {
         let shown = self.files.iter().filter(|(file, _)| file.ends_with(".rs"));
         let shown = shown.map(|(file, source)| (path(file), source.text));
@@ -158,7 +148,6 @@ impl<'a> Code<'a> {
         Ok(format!("{} lines in {}", count(lines), names.join(", ")))
     }
 
-    /// The pages: address within the book, and HTML.
     pub(super) fn pages(&self) -> impl Iterator<Item = (String, String)> {
         self.files
             .iter()
@@ -166,10 +155,8 @@ impl<'a> Code<'a> {
     }
 }
 
-/// The engine's own sources.
 static ENGINE: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");
 
-/// Whether a file is the module of this path, or within it.
 fn is_of_module(file: &str, module: &str) -> bool {
     let rest = file.strip_prefix(module);
     rest.is_some_and(|rest| matches!(rest, "" | ".rs") || rest.starts_with('/'))
@@ -188,7 +175,6 @@ fn lines_of_code(text: &str) -> usize {
         .count()
 }
 
-/// The functions and constants of a source and the rows of its list of trials, with their lines counted from 0.
 fn functions(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.lines().enumerate().filter_map(|(i, line)| {
         let mut words = line.trim_start();
@@ -245,7 +231,6 @@ fn code_page(file: &str, source: &Source, book: &str) -> String {
 
 const STYLE: &str = include_str!("../../theme/code.css");
 
-/// What goes on from line to line.
 #[derive(Clone, Copy, PartialEq)]
 enum State {
     Plain,
@@ -258,7 +243,6 @@ const KEYWORDS: &[&str] = &[
     "struct", "super", "trait", "type", "use", "where", "while",
 ];
 
-/// One line of Rust as HTML: comments, strings and keywords are marked.
 fn highlight(line: &str, mut state: State, out: &mut String) -> State {
     let mut rest = line;
     while let Some(c) = rest.chars().next() {
@@ -289,7 +273,6 @@ fn highlight(line: &str, mut state: State, out: &mut String) -> State {
     state
 }
 
-/// How far a string goes on this line.
 fn end_of_string(rest: &str, state: &mut State) -> usize {
     let mut escaped = false;
     for (at, c) in rest.char_indices() {

@@ -12,7 +12,6 @@ use crate::plotting::Figure;
 use crate::publishing::Edition;
 use crate::trials::Claim;
 
-/// All that placeholders are filled from.
 pub(super) struct Context<'a> {
     pub edition: &'a Edition,
     pub ledger: &'a Ledger,
@@ -20,24 +19,20 @@ pub(super) struct Context<'a> {
     pub errata: &'a [Erratum],
     pub code: &'a Code<'a>,
     pub maths: &'a Maths,
-    /// A deep run, and the ledger that it gives.
     pub deep: Option<(Deep<'a>, Ledger)>,
 }
 
 impl<'a> Context<'a> {
-    /// The entry of this id.
     pub(super) fn entry(&self, id: &str) -> Result<&'a Entry, Fault> {
         let unknown = || format!("the ledger has no claim `{id}`");
         Ok(self.ledger.entry(id).ok_or_else(unknown)?)
     }
 
-    /// The entries of the topic of this stem.
     pub(super) fn of_topic(&self, stem: &str) -> impl Iterator<Item = &'a Entry> {
         let entries = self.ledger.entries.iter();
         entries.filter(move |entry| entry.topic.stem == stem)
     }
 
-    /// The link to where one sees a claim fail, if there is such a place.
     pub(super) fn watch(&self, claim: &Claim) -> String {
         let link = |[address, what]: [&str; 2]| {
             let address = escape(address);
@@ -51,14 +46,12 @@ impl<'a> Context<'a> {
         claim.watch.map(link).unwrap_or_default()
     }
 
-    /// The link to where the reader breaks the formula, if there is such a place.
     pub(super) fn breaks(&self, id: &str) -> String {
         let place = (self.edition.breaks)(id).map(|address| escape(&address));
         let link = |address| format!(" <a href=\"{address}\">Break it yourself.</a>");
         place.map(link).unwrap_or_default()
     }
 
-    /// A line of links to claims' boxes; nothing where there are none.
     pub(super) fn neighbours(&self, words: &str, ids: &[&str]) -> Html {
         Ok(match self.links(ids)? {
             none if none.is_empty() => none,
@@ -66,7 +59,6 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// A link to a claim's box.
     pub(super) fn link(&self, entry: &Entry) -> Html {
         // The book has figures of its own.
         let whose = match entry.claim.kind {
@@ -82,13 +74,11 @@ impl<'a> Context<'a> {
         ))
     }
 
-    /// Links to claims' boxes.
     pub(super) fn links(&self, ids: &[&str]) -> Html {
         let links: Result<Vec<_>, _> = ids.iter().map(|id| self.link(self.entry(id)?)).collect();
         Ok(links?.join(", "))
     }
 
-    /// Ids of the claims that depend on a claim directly.
     pub(super) fn users(&self, id: &str) -> Vec<&'static str> {
         let claims = self.ledger.entries.iter().map(|entry| entry.claim);
         claims
@@ -97,7 +87,6 @@ impl<'a> Context<'a> {
             .collect()
     }
 
-    /// The word, as a link to the place of this id where a page has it.
     pub(super) fn explained(&self, word: &str, id: &str) -> String {
         let place = format!("{{#{id}}}");
         let mut pages = self.edition.written();
@@ -108,7 +97,7 @@ impl<'a> Context<'a> {
     }
 }
 
-/// A verdict, in word and colour. Of the longest, what can be left out where there is no room stands apart.
+/// What can be left out of the longest where there is no room stands apart.
 pub(super) fn verdict(verdict: Verdict) -> String {
     let words = verdict.words();
     let words = match verdict {
@@ -118,7 +107,7 @@ pub(super) fn verdict(verdict: Verdict) -> String {
     format!("<span class=\"verdict {}\">{words}</span>", verdict.slug())
 }
 
-/// The sign of a verdict where there is no room for its name; `theme/book.css` has the same.
+/// Where there is no room for its name; `theme/book.css` has the same.
 pub(super) fn sign(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Confirmed => "✓",

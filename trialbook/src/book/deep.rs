@@ -10,7 +10,6 @@ use crate::evidence::{Evidence, Route};
 use crate::ledger::Entry;
 use std::collections::BTreeMap;
 
-/// What it has brought for one claim, in a sentence; empty where nothing was measured.
 pub(super) fn line(context: &Context<'_>, entry: &Entry) -> String {
     let deep = context.deep.as_ref();
     let Some(entry) = deep.and_then(|(_, ledger)| ledger.entry(entry.claim.id)) else {
@@ -35,7 +34,6 @@ pub(super) fn line(context: &Context<'_>, entry: &Entry) -> String {
     )
 }
 
-/// Of which commit it was made, how much was compared by each route, and what came closest to its tolerance.
 pub(super) fn table_of(context: &Context<'_>) -> Html {
     let Some((deep, ledger)) = &context.deep else {
         return Ok("<p>No deep run is recorded.</p>".to_owned());

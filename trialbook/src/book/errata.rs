@@ -8,7 +8,6 @@ use super::{
 };
 use crate::ledger::{Erratum, Verdict};
 
-/// The errata with these verdicts, in the paper's order.
 pub(super) fn list(context: &Context<'_>, verdicts: &[Verdict]) -> Html {
     let errata = context.errata.iter();
     let chosen = errata.filter(|e| verdicts.contains(&e.verdict));
@@ -19,8 +18,7 @@ pub(super) fn list(context: &Context<'_>, verdicts: &[Verdict]) -> Html {
     })
 }
 
-/// The number under which an erratum can be found on paper: errors come first, then what inherits them, slips in print and
-/// conditions, each in the paper's order.
+/// Errors first, then what inherits them, slips in print and conditions, each in the paper's order.
 pub(super) fn number(context: &Context<'_>, id: &str) -> usize {
     let rank = |erratum: &&Erratum| match erratum.verdict {
         Verdict::Inherited => 1,

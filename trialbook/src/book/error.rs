@@ -6,8 +6,7 @@ use crate::trials::compare::Failure;
 use std::io;
 use std::path::PathBuf;
 
-/// Why no book was written. The folder that was to receive it is as it was before, unless the error says
-/// otherwise.
+/// Why no book was written. The folder is as it was before, unless the error says otherwise.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum BookError {
@@ -29,7 +28,7 @@ pub enum BookError {
         #[source]
         reason: io::Error,
     },
-    /// Something stands at the folder's place that is not an earlier book, and is left alone.
+    /// What stands there is not an earlier book, and is left alone.
     #[error(
         "`{}` is not empty, and nothing that this command has written: name another folder, or empty this one",
         path.display()
@@ -105,15 +104,11 @@ pub enum BookError {
     Render(String),
 }
 
-/// HTML that stands for something, or why there is none.
 pub(super) type Html = Result<String, Fault>;
 
-/// What is wrong, before it is known on which page and line.
 #[derive(Debug)]
 pub(super) enum Fault {
-    /// See [`BookError::Placeholder`].
     Placeholder(String),
-    /// See [`BookError::Formula`].
     Formula {
         /// The formula, in LaTeX.
         formula: String,
@@ -135,7 +130,6 @@ impl From<Failure> for Fault {
 }
 
 impl From<Fault> for BookError {
-    /// Of what stands on no page.
     fn from(fault: Fault) -> Self {
         Self::Render(match fault {
             Fault::Placeholder(reason) => reason,

@@ -1,4 +1,4 @@
-//! From a page as written to a page as mdBook gets it: with marks for what fills the placeholders, and for the formulas.
+//! From a page as written to one for mdBook, with marks for placeholders and formulas.
 
 use super::error::{BookError, Fault};
 use super::maths::Maths;
@@ -6,39 +6,30 @@ use crate::publishing::Page;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 use std::ops::Range;
 
-/// What a stretch of a page is, where it is not plain text.
 enum Piece {
-    /// Code: stays as it is.
     Code,
-    /// A formula, on a line of its own or not.
     Formula { latex: String, display: bool },
 }
 
-/// A placeholder of a page.
 pub(super) struct Blank {
-    /// The page, by its place in the book.
     pub page: usize,
-    /// Where it begins in the page's text.
     pub offset: usize,
-    /// What it says, without its braces.
+    /// Without its braces.
     pub inside: String,
-    /// Whether nothing else stands on its line.
+    /// Nothing else stands on its line.
     pub alone: bool,
 }
 
 impl Blank {
-    /// What keeps this placeholder from being filled.
     pub(super) fn error(&self, pages: &[Page], fault: Fault) -> BookError {
         let placeholder = format!("{{{{{}}}}}", self.inside);
         at(&pages[self.page], self.offset, &placeholder, fault)
     }
 }
 
-/// What stands for the placeholder of this number until mdBook is done.
 pub(super) const MARK: (&str, &str) = ("<span data-blank=\"", "\"></span>");
 
-/// Marks the placeholders of one page, and sets and marks its formulas. A line with nothing but a placeholder is a
-/// paragraph of its own.
+/// A line with nothing but a placeholder is a paragraph of its own.
 pub(super) fn expand(
     (number, page): (usize, &Page),
     maths: &Maths,
@@ -97,7 +88,6 @@ pub(super) fn options() -> Options {
         | Options::ENABLE_MATH
 }
 
-/// Code and formulas of a page, by place.
 fn pieces(page: &Page) -> Result<Vec<(Range<usize>, Piece)>, BookError> {
     let mut pieces = Vec::new();
     let mut heading_without_id = false;
@@ -125,7 +115,6 @@ fn pieces(page: &Page) -> Result<Vec<(Range<usize>, Piece)>, BookError> {
     Ok(pieces)
 }
 
-/// Whether a placeholder is open at the end.
 fn in_braces(before: &str) -> bool {
     before.rfind("{{") > before.rfind("}}").max(before.rfind('\n'))
 }
@@ -133,10 +122,9 @@ fn in_braces(before: &str) -> bool {
 const HEADING: &str =
     "a heading with a formula or a placeholder needs an id of its own: `## … {#id}`";
 
-/// What a stretch without code and formulas consists of.
 enum Part<'a> {
     Text(&'a str),
-    /// A placeholder with its braces, by its place in the page.
+    /// With its braces, by its place in the page.
     Placeholder(Range<usize>),
 }
 
@@ -158,7 +146,6 @@ fn parts(page: &Page, range: Range<usize>) -> Result<Vec<Part<'_>>, BookError> {
     Ok(parts)
 }
 
-/// Passes text on in which nothing may be left to fill or to set.
 fn plain<'a>(page: &Page, place: usize, text: &'a str) -> Result<Part<'a>, BookError> {
     if let Some(i) = text.find('$') {
         return Err(markup(
@@ -173,7 +160,6 @@ fn plain<'a>(page: &Page, place: usize, text: &'a str) -> Result<Part<'a>, BookE
     Ok(Part::Text(text))
 }
 
-/// True if nothing else stands on the line.
 fn alone(source: &str, range: Range<usize>) -> bool {
     let starts = source[..range.start].ends_with('\n') || range.start == 0;
     let rest = source[range.end..].lines().next().unwrap_or("");

@@ -18,14 +18,11 @@ use crate::publishing::{Filled, Page};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// A program to begin with.
 const FIRST: &str = include_str!("../../examples/fall.rs");
 
-/// Fills placeholders from the ledger and the figures.
 pub(super) struct Filler<'a> {
     context: &'a Context<'a>,
     pages: &'a [Page],
-    /// The claims that a page has shown so far.
     boxed: Mutex<BTreeSet<&'static str>>,
 }
 
@@ -38,7 +35,6 @@ impl<'a> Filler<'a> {
         }
     }
 
-    /// The first claim that no page has shown so far.
     pub(super) fn without_box(&self) -> Option<&'a Entry> {
         let boxed = self.boxed();
         let mut entries = self.context.ledger.entries.iter();
@@ -49,7 +45,6 @@ impl<'a> Filler<'a> {
         self.boxed.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Fills one placeholder.
     pub(super) fn fill(&self, blank: &Blank) -> Result<Filled, Fault> {
         let context = self.context;
         let (page, placeholder) = (self.pages[blank.page].stem, &*blank.inside);
@@ -145,8 +140,8 @@ impl<'a> Filler<'a> {
         }
     }
 
-    /// Of the words between `|` the one that is so; or a number, if it is the one that is computed. Words cannot change places unseen: the
-    /// one that the name has stands first, or second if the name has a `!` before it.
+    /// Of the words between `|` the one that is so, or a number. The word that the name has stands first, or
+    /// second if the name has a `!` before it: words cannot change places unseen.
     fn said(&self, name: &str, said: &str) -> Html {
         let bare = name.trim_start_matches('!');
         let mut words = self.context.edition.words.iter().copied().flatten();
@@ -163,7 +158,6 @@ impl<'a> Filler<'a> {
         self.context.maths.words(notation::said(said, is)?)
     }
 
-    /// Fills a placeholder of the paper's own.
     fn own(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
         let mut own = self.context.edition.placeholders.iter();
         let own = own.find_map(|own| match placeholder.strip_prefix(own.name)? {
@@ -174,7 +168,7 @@ impl<'a> Filler<'a> {
         (own.fill)(given).map_err(|failure| failure.to_string().into())
     }
 
-    /// Notes that a claim is shown, once and on its own page: its address is permanent.
+    /// Once and on its own page: its address is permanent.
     fn place(&self, page: &str, entry: &Entry) -> Result<(), Fault> {
         let stem = entry.topic.stem;
         if page != stem {
@@ -186,7 +180,6 @@ impl<'a> Filler<'a> {
         Ok(())
     }
 
-    /// What the topic of a page consists of: its equations, its statements in words, its figures.
     fn contents(&self, page: &str) -> Html {
         let mut topics = self.context.ledger.paper.topics.iter();
         let topic = topics.find(|topic| topic.stem == page);
@@ -212,7 +205,6 @@ impl<'a> Filler<'a> {
         Ok(parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
     }
 
-    /// The figure of this id, with its number on the page.
     fn figure(&self, page: &str, id: &str) -> Html {
         let text = self.pages.iter().find(|other| other.stem == page);
         let mut placed = text
@@ -244,7 +236,6 @@ impl<'a> Filler<'a> {
     }
 }
 
-/// The sum of something over all tallies of wrong variants.
 fn tallies(ledger: &Ledger, of: fn(Tally) -> usize) -> usize {
     let entries = ledger.entries.iter();
     entries.map(|entry| of(entry.tally())).sum()
@@ -255,7 +246,6 @@ fn verdict_of(slug: &str) -> Result<Verdict, Fault> {
     Ok(found.ok_or_else(|| format!("there is no verdict `{slug}`"))?)
 }
 
-/// Where a figure's data lies within the book.
 pub(super) fn data_file(figure: &Figure) -> String {
     format!("figures/{}.csv", figure.id)
 }

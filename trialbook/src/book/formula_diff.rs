@@ -5,11 +5,10 @@ pub(super) const MARK: &str = r"\changed";
 
 #[derive(Debug, Clone, PartialEq)]
 enum Part<'a> {
-    /// What is compared as a whole: a character, a command, what stands between `\left` and its `\right`.
+    /// A character, a command, what stands between `\left` and its `\right`.
     Whole(&'a str),
-    /// A command with its arguments, such as `\frac`; without a name, what stands in braces.
+    /// Such as `\frac`; without a name, what stands in braces.
     Command(&'a str, Vec<Vec<Part<'a>>>),
-    /// A part with what stands below or above it.
     Scripted(Box<Part<'a>>, Vec<(&'a str, Vec<Part<'a>>)>),
 }
 
@@ -28,7 +27,7 @@ const ARGUMENTS: [(&str, usize); 11] = [
     (r"\overline", 1),
 ];
 
-/// Both formulas, with what differs marked; where they have nothing in common, nothing is.
+/// Where they have nothing in common, nothing is marked.
 pub(super) fn marked(old: &str, new: &str) -> [String; 2] {
     let read = |text| Reader { text, at: 0 }.parts();
     let (a, b) = (read(old), read(new));
@@ -39,14 +38,12 @@ pub(super) fn marked(old: &str, new: &str) -> [String; 2] {
     opened(&a, &b).unwrap_or_else(|| [old, new].map(str::to_owned))
 }
 
-/// Reads LaTeX from one place to the next.
 struct Reader<'a> {
     text: &'a str,
     at: usize,
 }
 
 impl<'a> Reader<'a> {
-    /// The parts up to the end or to a closing brace, which is taken too.
     fn parts(&mut self) -> Vec<Part<'a>> {
         let mut found = Vec::new();
         while let Some(sign) = self.sign() {
@@ -70,7 +67,6 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// The next character or command.
     fn sign(&mut self) -> Option<&'a str> {
         let rest = self.text[self.at..].trim_start();
         let start = self.text.len() - rest.len();
@@ -88,7 +84,6 @@ impl<'a> Reader<'a> {
         Some(&rest[..length])
     }
 
-    /// The part that begins with a sign just read.
     fn part(&mut self, sign: &'a str) -> Part<'a> {
         let start = self.at - sign.len();
         let arguments = ARGUMENTS.iter().find(|(name, _)| *name == sign);
@@ -125,7 +120,6 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// What stands in braces, or the next sign.
     fn argument(&mut self) -> Vec<Part<'a>> {
         match self.sign() {
             Some("{") => self.parts(),
@@ -135,7 +129,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The longest list of parts that both have in this order, by their places.
+/// The longest in this order, by their places.
 fn common(a: &[Part<'_>], b: &[Part<'_>]) -> Vec<(usize, usize)> {
     let mut longest = vec![vec![0; b.len() + 1]; a.len() + 1];
     for i in (0..a.len()).rev() {
@@ -160,7 +154,6 @@ fn common(a: &[Part<'_>], b: &[Part<'_>]) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// Both lists as LaTeX, with marks around what they do not share.
 fn compare(a: &[Part<'_>], b: &[Part<'_>]) -> [String; 2] {
     let mut out = [String::new(), String::new()];
     let (mut i, mut j) = (0, 0);
@@ -178,7 +171,6 @@ fn compare(a: &[Part<'_>], b: &[Part<'_>]) -> [String; 2] {
     out
 }
 
-/// Two parts of one kind, with marks inside them.
 fn opened(one: &[Part<'_>], two: &[Part<'_>]) -> Option<[String; 2]> {
     let ([one], [two]) = (one, two) else {
         return None;
@@ -211,7 +203,6 @@ fn opened(one: &[Part<'_>], two: &[Part<'_>]) -> Option<[String; 2]> {
     Some(out)
 }
 
-/// Parts with a mark around them; a sign between two terms keeps its room.
 fn mark(parts: &[Part<'_>]) -> String {
     let text: String = parts.iter().map(latex).collect();
     match parts {
@@ -224,7 +215,6 @@ fn mark(parts: &[Part<'_>]) -> String {
     }
 }
 
-/// A part as it was read; a command keeps away from what follows it.
 fn latex(part: &Part<'_>) -> String {
     let all = |parts: &[Part<'_>]| parts.iter().map(latex).collect::<String>();
     match part {

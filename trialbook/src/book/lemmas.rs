@@ -10,15 +10,13 @@ use crate::exact::NORMAL;
 use crate::notation::{Piece, pieces};
 use std::collections::BTreeSet;
 
-/// The step by which a proof rests on another one.
 const RESTS: &str = "Shown before: ";
-/// The step of a proof that says what it shows.
 const SHOWS: &str = "To be shown: ";
 
 /// As many steps as an earlier proof has too are not written again.
 const SAME: usize = 4;
 
-/// The steps of a proof, behind a fold; those that rest on another proof lead to it, and those of a proof above to this.
+/// Behind a fold; those that rest on another proof lead to it, and those of a proof above to this.
 pub(super) fn steps<'a>(
     context: &Context<'_>,
     steps: &[String],
@@ -66,8 +64,8 @@ pub(super) fn steps<'a>(
     ))
 }
 
-/// The longest stretch of steps that is also one of a proof above, if it is long enough and not all: of which, where it begins
-/// there and here, and how long it is.
+/// The longest that is also one of a proof above, if long enough and not all: of which, where it begins there
+/// and here, and its length.
 fn same<'a>(
     steps: &[String],
     above: impl Iterator<Item = &'a [String]>,
@@ -83,7 +81,6 @@ fn same<'a>(
     long.max_by_key(|(.., n)| *n)
 }
 
-/// The capitals that stand for something in these steps: those in their formulas, where no index follows.
 fn letters(steps: &[String]) -> BTreeSet<char> {
     let pieces = steps.iter().flat_map(|step| pieces(step));
     let formulas = pieces.filter_map(|piece| match piece {
@@ -106,7 +103,7 @@ fn letters(steps: &[String]) -> BTreeSet<char> {
     letters
 }
 
-/// A step in which those letters are formulas where they stand alone among words, too; not an article, with which it begins.
+/// Those letters are formulas where they stand alone among words, too; not an article at the beginning.
 fn lettered(step: &str, letters: &BTreeSet<char>) -> String {
     let mut out = String::new();
     let pieces = pieces(step);
@@ -140,7 +137,6 @@ fn lettered(step: &str, letters: &BTreeSet<char>) -> String {
     out
 }
 
-/// The address of the proof of this title: in the box of the first claim that has it, or on the page of lemmas.
 fn place_of(context: &Context<'_>, title: &str) -> Option<String> {
     let entries = &context.ledger.entries;
     if let Some(entry) = entries
@@ -164,7 +160,6 @@ fn anchor(title: &str) -> String {
     format!("lemma-{}", words.join("-").to_lowercase())
 }
 
-/// All lemmas, with their steps, in the order in which the claims need them.
 pub(super) fn all(context: &Context<'_>) -> Html {
     let ledger = context.ledger;
     let proved = ledger.evidence().filter(|e| e.outcome() == Outcome::Agrees);

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// All files in a folder and in those within it, by their paths from there, with `/` between the names.
+/// All files in a folder and below, by their paths, with `/` between the names.
 ///
 /// # Errors
 /// What the system says where a folder cannot be read.
@@ -28,8 +28,8 @@ pub fn files_below(folder: &Path) -> io::Result<BTreeMap<String, PathBuf>> {
     Ok(files)
 }
 
-/// The links of the pages in a folder that lead nowhere, each once, as `page: link`: to a file or a place that is not there. What
-/// is loaded from out of the book is dead too; where a link leads out of it, nobody is asked.
+/// The links of the pages in a folder that lead to what is not there, or load from out of the book, each
+/// once, as `page: link`. Links out of it are not tried.
 ///
 /// # Errors
 /// What the system says where a file cannot be read.
@@ -70,10 +70,9 @@ pub fn dead_links(folder: &Path) -> io::Result<Vec<String>> {
     Ok(Vec::from_iter(dead.collect::<BTreeSet<_>>()))
 }
 
-/// How the links begin that lead out of the book.
 const OUTSIDE: [&str; 3] = ["https://", "http://", "mailto:"];
 
-/// A link without the disguise that HTML and addresses ask for: `a%20b&amp;c` is `a b&c`.
+/// `a%20b&amp;c` is `a b&c`.
 fn decoded(link: &str) -> String {
     let link = unescape(link);
     let mut bytes = Vec::with_capacity(link.len());
@@ -93,14 +92,12 @@ fn decoded(link: &str) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// The values of an attribute in a page.
 fn values<'a>(html: &'a str, attribute: &str) -> impl Iterator<Item = &'a str> {
     let start = format!(" {attribute}=\"");
     let parts: Vec<&str> = html.split(start.as_str()).skip(1).collect();
     parts.into_iter().filter_map(|part| part.split('"').next())
 }
 
-/// Where a relative link leads.
 fn from(file: &str, link: &str) -> String {
     let mut target: Vec<_> = file.split('/').collect();
     target.pop();

@@ -56,7 +56,6 @@ pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
     map(&topics.collect::<Vec<_>>(), &nodes.collect::<Vec<_>>())
 }
 
-/// Ids of the claims that rest on one that is false as printed.
 fn shaken(ledger: &Ledger) -> BTreeSet<&'static str> {
     let entries = ledger.entries.iter();
     let failing = entries.filter(|e| e.judgement.verdict.is_wrong());
@@ -64,14 +63,12 @@ fn shaken(ledger: &Ledger) -> BTreeSet<&'static str> {
     resting.collect()
 }
 
-/// The signs and what they mean.
 pub(super) fn key() -> String {
     let item = |v: Verdict| format!("<li>{} {}</li>", sign(v), verdict(v));
     let items: String = Verdict::ALL.map(item).concat();
     format!("<ul class=\"map-key\">{items}</ul>\n")
 }
 
-/// What rests on each claim that fails.
 pub(super) fn what_falls(context: &Context<'_>) -> Html {
     let ledger = context.ledger;
     let entries = ledger.entries.iter();
@@ -101,7 +98,6 @@ fn or_nothing(links: String) -> String {
     }
 }
 
-/// Every claim with what it rests on and what rests on it.
 pub(super) fn list(context: &Context<'_>) -> Html {
     let ledger = context.ledger;
     let mut html = String::new();

@@ -14,20 +14,16 @@ use katex::{KatexContext, OutputFormat, Settings, TrustSetting, render_to_string
 use std::collections::HashMap;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
-/// KaTeX underlines where an error is by combining characters.
 const UNDERLINE: char = '\u{332}';
 
-/// What stands for a formula until mdBook is done: mdBook then reads a tenth of the text, and the search
-/// can put words in its place.
+/// Until mdBook is done: it then reads a tenth of the text, and the search can put words in its place.
 const MARK: (&str, &str) = ("<span data-formula=\"", "\"></span>");
 
 /// A formula with so few letters as plain text may keep together with a sign before or behind it.
 const SHORT: usize = 20;
 
-/// Sets formulas, each one once.
 pub(super) struct Maths(Mutex<Set>);
 
-/// KaTeX with its settings.
 struct Setter {
     context: KatexContext,
     inline: Settings,
@@ -35,12 +31,9 @@ struct Setter {
     folded: Settings,
 }
 
-/// Where a formula stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Place {
-    /// Within a line.
     Inline,
-    /// On a line of its own.
     Display,
     /// Behind a fold, where there are many: MathML alone, a fifth of what both take.
     Folded,
@@ -50,17 +43,14 @@ type Key = (String, Place);
 
 type Form = (String, String);
 
-/// Every formula that this process has set, whichever book it was for.
 static KNOWN: LazyLock<Mutex<HashMap<Key, Form>>> = LazyLock::new(Mutex::default);
 
 struct Set {
     setter: Setter,
-    /// Number of a formula.
     numbers: HashMap<Key, usize>,
     forms: Forms,
 }
 
-/// HTML and plain text of the formulas, by number.
 #[derive(Clone, Default)]
 pub(super) struct Forms(Vec<Form>);
 
@@ -88,7 +78,6 @@ impl Setter {
         }
     }
 
-    /// The form of a formula, made when it is first asked for.
     fn form(&self, key: &Key) -> Result<Form, Fault> {
         let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(form) = known().get(key) {
@@ -142,7 +131,7 @@ impl Maths {
         }))
     }
 
-    /// Sets what the claims will need, before they are tried. What cannot be set is reported where it is met.
+    /// What cannot be set is reported where it is met.
     pub(super) fn prepare(&self, paper: &Paper) {
         let set = self.set_so_far();
         let words = |claim: &'static Claim| {
@@ -161,22 +150,18 @@ impl Maths {
         }
     }
 
-    /// A formula within a line.
     pub(super) fn inline(&self, latex: &str) -> Html {
         self.set(latex, Place::Inline)
     }
 
-    /// A formula on a line of its own.
     pub(super) fn display(&self, latex: &str) -> Html {
         self.set(latex, Place::Display)
     }
 
-    /// Words with formulas in `$…$` or in our plain notation, as HTML.
     pub(super) fn words(&self, text: &str) -> Html {
         self.said(text, Place::Inline)
     }
 
-    /// The same, for words that stand behind a fold.
     pub(super) fn folded(&self, text: &str) -> Html {
         self.said(text, Place::Folded)
     }
@@ -197,7 +182,6 @@ impl Maths {
             .collect()
     }
 
-    /// Plain words: formulas and numbers as a printer sets them.
     fn plain(&self, words: &str, place: Place) -> Html {
         let pieces = pieces(words).into_iter();
         pieces
@@ -210,7 +194,6 @@ impl Maths {
             .collect()
     }
 
-    /// The mark of a formula; sets it if it is new.
     fn set(&self, latex: &str, place: Place) -> Html {
         let mark = |number: usize| format!("{}{number}{}", MARK.0, MARK.1);
         let key = (latex.to_owned(), place);
@@ -225,7 +208,6 @@ impl Maths {
         Ok(mark(number))
     }
 
-    /// The formulas set so far.
     pub(super) fn forms(&self) -> Forms {
         self.set_so_far().forms.clone()
     }
@@ -236,7 +218,6 @@ impl Maths {
 }
 
 impl Forms {
-    /// Puts the formulas in place of their marks.
     pub(super) fn with_formulas(&self, html: &str) -> String {
         self.replaced(html, |(html, plain), after, out| {
             // Browsers break a line between a formula and the full stop behind it or the bracket before it.
@@ -266,7 +247,6 @@ impl Forms {
         })
     }
 
-    /// Puts plain text in place of the marks.
     pub(super) fn with_words(&self, html: &str) -> String {
         self.replaced(html, |(_, plain), _, out| {
             *out += plain;
@@ -274,7 +254,6 @@ impl Forms {
         })
     }
 
-    /// Puts MathML alone in place of the marks: a tenth of the text, for what is shown by a script.
     pub(super) fn with_mathml(&self, html: &str) -> String {
         self.replaced(html, |(html, plain), _, out| {
             let from = html.find("<math").zip(html.find("</math>"));
@@ -284,7 +263,7 @@ impl Forms {
         })
     }
 
-    /// Lets `put` write each form, given what follows its mark; it says how much of that it has written, too.
+    /// `put` is given what follows a mark, and says how much of that it has written, too.
     fn replaced(&self, html: &str, put: impl Fn(&Form, &str, &mut String) -> usize) -> String {
         after_each(html, MARK.0, |part, out| {
             let (number, after) = part.split_once(MARK.1).unwrap_or((part, ""));
@@ -295,7 +274,6 @@ impl Forms {
     }
 }
 
-/// MathML with the names of functions as operators, and with room before them and before an argument without brackets.
 fn with_room(html: &str) -> String {
     const APPLY: &str = "<mo>\u{2061}</mo>";
     after_each(html, APPLY, |part, out| {
@@ -327,7 +305,7 @@ fn with_room(html: &str) -> String {
     })
 }
 
-/// Puts braces around what stands under a root: katex-rs loses the room for the sign before a bare symbol.
+/// katex-rs loses the room for the sign before a bare symbol under a root.
 fn roots_in_braces(latex: &str) -> String {
     const ROOT: &str = r"\sqrt";
     after_each(latex, ROOT, |part, out| {
@@ -348,8 +326,7 @@ fn roots_in_braces(latex: &str) -> String {
     })
 }
 
-/// Leaves out the LaTeX source within the MathML, which the search would read as if it were text, and what stands around
-/// it there, which says nothing without it.
+/// The search would read the LaTeX source within the MathML as if it were text.
 fn without_annotation(html: &str) -> String {
     let kept = without(html, "<annotation", "</annotation>");
     [
@@ -361,7 +338,7 @@ fn without_annotation(html: &str) -> String {
     .fold(kept, |kept, empty| kept.replace(empty, ""))
 }
 
-/// Puts attributes in order, since KaTeX writes them in any, and joins lines.
+/// KaTeX writes attributes in any order.
 fn tidy(html: &str) -> String {
     let mut out = String::with_capacity(html.len() * 2);
     let mut rest = html;
@@ -378,7 +355,7 @@ fn tidy(html: &str) -> String {
     out
 }
 
-/// The length of the tag at the start of `html`, its brackets included.
+/// Its brackets included.
 fn tag_end(html: &str) -> usize {
     let mut quote = None;
     for (i, c) in html.char_indices() {

@@ -4,19 +4,14 @@ use super::maths::Forms;
 use super::text::{escape, without};
 use crate::publishing::Edition;
 
-/// The page that has all pages.
 const PRINT: &str = "print";
 const HIGHLIGHTER: &str = "<script src=\"highlight.js\"></script>";
-/// The cards of this paper's claims and symbols.
 const CARDS: &str = "<script src=\"theme/cards.js\"></script>";
-/// What mdBook's script asks of it.
 const NO_HIGHLIGHTER: &str =
     "<script>window.hljs = { configure() {}, highlightBlock() {} };</script>";
-/// The description of the book, which mdBook gives to every page.
 const DESCRIPTION: &str = "<meta name=\"description\" content=\"";
 
-/// A page with its stem for the style sheets, a title and a description of its own, what those need who share a link to it,
-/// and no highlighter where there is no code, nor on the page of all pages, which is for paper and long enough. What is not
+/// No highlighter where there is no code, nor on the page of all pages, which is for paper. What is not
 /// `about` the paper has no cards.
 pub(super) fn with_head(
     edition: &Edition,
@@ -64,7 +59,6 @@ pub(super) fn with_head(
     )
 }
 
-/// The first words of a page, as the value of an attribute.
 fn description(edition: &Edition, html: &str, forms: &Forms) -> String {
     let first = html.split_once("</h1>").map_or("", |(_, rest)| rest);
     // The line in italics says where a chapter stands in the paper.

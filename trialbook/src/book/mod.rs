@@ -97,11 +97,10 @@ use atomic_replace::{Staging, unwritable};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Writes the book into the folder `out` and returns the path of its first page.
+/// Writes the book into the folder `out`, with missing parents, and returns the path of its first page.
 ///
-/// The book is made in a temporary folder beside `out`, which changes places with `out` at the end:
-/// until then, and whenever anything fails, `out` is what it was. Parent folders are made where they
-/// are missing. The same ledger and figures give the same bytes.
+/// It is made in a temporary folder beside `out`: until the end, and whenever anything fails, `out` is what
+/// it was. The same ledger and figures give the same bytes.
 ///
 /// # Errors
 /// [`BookError::Unwritable`] if a file or folder cannot be written, [`BookError::NotOurs`] if `out`
@@ -116,8 +115,7 @@ pub fn write(
     Frame::new(edition, figures, out)?.fill(ledger, figures)
 }
 
-/// Finds out whether a book can be written into `out`, before the work is done; changes nothing but for
-/// missing parent folders, which it makes.
+/// Finds out whether a book can be written into `out`; makes nothing but missing parent folders.
 ///
 /// # Errors
 /// [`BookError::Unwritable`] and [`BookError::NotOurs`], as for [`write()`].
@@ -125,8 +123,8 @@ pub fn check(edition: &Edition, out: &Path) -> Result<(), BookError> {
     Staging::beside(out, edition.name).map(drop)
 }
 
-/// Writes files with these names and texts into the folder `out`, whole or not at all, as [`write()`] does a book; returns where
-/// that is. An earlier folder of the same `name` is replaced.
+/// Writes files with these names and texts into the folder `out`, whole or not at all; returns where that is.
+/// An earlier folder of the same `name` is replaced.
 ///
 /// # Errors
 /// [`BookError::Unwritable`] and [`BookError::NotOurs`], as for [`write()`].
@@ -148,7 +146,6 @@ pub fn folder(
     written().map_err(|error| places.named(error))
 }
 
-/// Writes one file, with its folders.
 fn put(path: &Path, bytes: &[u8]) -> Result<(), BookError> {
     let folder = path.parent().unwrap_or(path);
     fs::create_dir_all(folder).map_err(|reason| unwritable(folder, reason))?;

@@ -1,4 +1,4 @@
-//! What stands at the addresses of earlier books: pages that lead on to where things are now.
+//! What stands at the addresses of earlier books: pages that lead on.
 
 use super::text::escape;
 use crate::publishing::Edition;
@@ -16,8 +16,7 @@ pub(super) fn pages(edition: &Edition) -> BTreeMap<&'static str, String> {
     whole.map(page).collect()
 }
 
-/// A page that leads to an address, and from its places to those that have taken their place. Without a script it leads to the
-/// first alone.
+/// From its places, too. Without a script it leads to the first alone.
 fn page(to: &str, places: &[(&str, &&str)]) -> String {
     let places = serde_json::json!(places);
     let address = escape(to);

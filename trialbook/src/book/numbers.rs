@@ -5,13 +5,12 @@ use crate::ledger::Ledger;
 use crate::notation::{Tag, tags};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is no running text, or a link already.
+/// No running text, or a link already.
 const APART: [&str; 13] = [
     "a", "button", "code", "figure", "h1", "h2", "h3", "h4", "math", "pre", "script", "summary",
     "svg",
 ];
 
-/// Where running text stands.
 const TEXT: [&str; 2] = ["p", "li"];
 
 pub(super) fn addresses(ledger: &Ledger) -> BTreeMap<u16, String> {
@@ -20,8 +19,8 @@ pub(super) fn addresses(ledger: &Ledger) -> BTreeMap<u16, String> {
     numbered.collect()
 }
 
-/// A page with each number in brackets that is an equation's, in its running text, as a link to that. In the order of tabs is
-/// the first that leads to an equation on another page: the marks at the top of a chapter lead to its own.
+/// Each number in brackets that is an equation's, in running text, becomes a link. In the order of tabs is
+/// the first that leads to another page.
 pub(super) fn linked(page: &str, html: &str, addresses: &BTreeMap<u16, String>) -> String {
     let mut out = String::with_capacity(html.len() + html.len() / 16);
     let mut seen = BTreeSet::new();

@@ -1,4 +1,4 @@
-//! What the first page shows of the whole: the errors in a line each, a mark for each equation, and a field that answers.
+//! What the first page shows of the whole.
 
 use super::{
     claim_box::{heading, statement_in_line},
@@ -14,10 +14,8 @@ use crate::trials::Topic;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
-/// Where the answers lie within the book.
 pub(super) const ANSWERS: &str = "answers.js";
 
-/// The independent errors, a line each; with what falls with each, if that is asked for.
 pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Html {
     let line = |entry: &Entry| {
         let wrong = entry.in_short().unwrap_or_default();
@@ -49,7 +47,6 @@ pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Html {
     })
 }
 
-/// A mark that leads to a claim, by its verdict.
 fn mark(entry: &Entry, name: &str, more: &str) -> String {
     let verdict = entry.judgement.verdict;
     let name = escape(&format!("{name}: {}", verdict.words()));
@@ -61,7 +58,6 @@ fn mark(entry: &Entry, name: &str, more: &str) -> String {
     )
 }
 
-/// A mark for each claim of a topic.
 pub(super) fn strip(entries: &[&Entry]) -> String {
     let marks = entries.iter().enumerate().map(|(i, entry)| {
         let more = if i == 0 { "" } else { " tabindex=\"-1\"" };
@@ -73,8 +69,7 @@ pub(super) fn strip(entries: &[&Entry]) -> String {
     )
 }
 
-/// A mark for each numbered equation, by its verdict, topic by topic. One of them can be reached by keyboard; a script leads on
-/// from it.
+/// One mark can be reached by keyboard; a script leads on from it.
 pub(super) fn skeleton(context: &Context<'_>) -> String {
     let marked = |(number, entry): (u16, &Entry)| {
         let more = if number == 1 { "" } else { " tabindex=\"-1\"" };
@@ -128,7 +123,6 @@ fn first_section(topic: &Topic) -> &'static str {
     topic.claims().first().map_or("", |claim| claim.section)
 }
 
-/// Where the program is kept, as far as that is known.
 pub(super) fn repository(edition: &Edition) -> String {
     match edition.repository {
         Some(address) => format!("<a href=\"{}\">the program’s sources</a>", escape(address)),
@@ -136,7 +130,6 @@ pub(super) fn repository(edition: &Edition) -> String {
     }
 }
 
-/// The field; a script makes it answer.
 pub(super) fn field() -> String {
     format!(
         "<form class=\"ask\" role=\"search\" aria-label=\"Ask for a claim\" data-answers=\"{ANSWERS}\" hidden>\
@@ -146,7 +139,6 @@ pub(super) fn field() -> String {
     )
 }
 
-/// What the field knows of a claim.
 #[derive(Serialize)]
 struct Answer {
     id: &'static str,
@@ -155,20 +147,15 @@ struct Answer {
     equation: Option<u16>,
     title: String,
     verdict: String,
-    /// The verdict in a line.
     says: String,
-    /// The formula as MathML; where there is none, the words.
+    /// As MathML; where there is none, the words.
     formula: String,
 }
 
-/// A symbol with the claim that introduces it.
 #[derive(Serialize)]
 struct Hint {
-    /// The symbol, as plain text.
     is: String,
-    /// What it means.
     means: String,
-    /// The claim.
     id: &'static str,
 }
 
@@ -178,7 +165,6 @@ struct Answers {
     symbols: Vec<Hint>,
 }
 
-/// The script with all that the field knows.
 pub(super) fn answers(context: &Context<'_>) -> Html {
     let entries = &context.ledger.entries;
     let statements = entries

@@ -5,7 +5,6 @@ use crate::plotting::Figure;
 use crate::publishing::{Edition, Page};
 use crate::trials::Topic;
 
-/// All pages, in the order of the book.
 pub(super) fn pages(edition: &Edition, figures: &[Figure]) -> Vec<Page> {
     let index = written(edition, Page::INDEX.stem).cloned();
     let index = index.unwrap_or(Page::INDEX);
@@ -21,7 +20,6 @@ pub(super) fn pages(edition: &Edition, figures: &[Figure]) -> Vec<Page> {
     pages.chain(others).collect()
 }
 
-/// The table of contents, as mdBook reads it.
 pub(super) fn summary(pages: &[Page]) -> String {
     let mut text = String::from("# Summary\n\n");
     let mut last = None;
@@ -48,7 +46,6 @@ fn topic_page(edition: &Edition, topic: &'static Topic, figures: &[Figure]) -> P
     }
 }
 
-/// The page of a topic whose chapter is not written yet.
 fn page_of_claims(topic: &Topic, figures: &[Figure]) -> String {
     let mut text = format!(
         "# {}\n\nWhat the paper claims here, and what came of trying it.\n\n{{{{ledger {}}}}}\n\n\

@@ -18,7 +18,7 @@ pub enum Piece {
     Code(String),
 }
 
-/// The pieces of a page in order, each with the place where it begins.
+/// The pieces of a page in order, each with its place.
 pub fn pieces(page: &str) -> Vec<(usize, Piece)> {
     let text = without_placeholders(page);
     let (mut pieces, mut depth, mut rust, mut other) = (Vec::new(), 0, false, false);
@@ -64,7 +64,6 @@ pub fn pieces(page: &str) -> Vec<(usize, Piece)> {
     pieces
 }
 
-/// The same with nothing to read in their places, so that all else keeps its own.
 fn without_placeholders(page: &str) -> String {
     let mut out = String::with_capacity(page.len());
     for line in page.split_inclusive('\n') {
@@ -81,7 +80,6 @@ fn without_placeholders(page: &str) -> String {
     out
 }
 
-/// The code of the section that has this place.
 pub(super) fn code_beside(page: &str, place: usize) -> String {
     let mut code = String::new();
     for (at, piece) in pieces(page) {

@@ -1,12 +1,12 @@
-//! The register of errata: a row for each claim that does not stand, for programs and for the record.
+//! The register of errata: a row for each, for programs and for the record.
 
 use crate::ledger::Erratum;
 use crate::notation::plain_words;
 use crate::plotting::{FigureError, Table};
 use crate::publishing::Edition;
 
-/// The register as CSV: where it stands, what is printed, what is right, why, on what evidence, and by which command that is
-/// tried again.
+/// The register as CSV: where each stands, what is printed, what is right, why, the evidence, and the command
+/// that tries it again.
 ///
 /// # Errors
 /// None: every row has a cell for each column.

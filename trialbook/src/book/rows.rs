@@ -1,23 +1,19 @@
 //! Long formulas in rows: browsers break no line within MathML.
 
-/// As wide as a line is where there are long formulas, on paper and on a desk, in letters' heights.
+/// In letters' heights, on paper and on a desk.
 const ROOM: f64 = 37.0;
-/// How far a row that goes on stands in.
 const INDENT: f64 = 1.5;
 /// What is left at least for a part between its neighbours in a row.
 const LEAST: f64 = 8.0;
 
-/// Behind the last row.
 pub(super) const LAST_ROW: &str = "</mrow></mtd></mtr></mtable>";
 
-/// A piece of MathML: text, or an element with what stands in its tag.
 #[derive(Debug, Clone, PartialEq)]
 enum Node {
     Text(String),
     Element(String, Vec<Node>),
 }
 
-/// The formula, in rows if it is too long for a line.
 pub(super) fn in_rows(html: &str) -> String {
     let mut rest = html;
     let mut nodes = children(&mut rest);
@@ -25,7 +21,7 @@ pub(super) fn in_rows(html: &str) -> String {
     nodes.iter().map(written).collect()
 }
 
-/// Puts a list in rows if it is too long, or what is inside the one element around all of it.
+/// Or what is inside the one element around all of it.
 fn arrange(list: &mut Vec<Node>) {
     let long = width(list, true) > ROOM;
     match list.as_mut_slice() {
@@ -37,7 +33,6 @@ fn arrange(list: &mut Vec<Node>) {
     }
 }
 
-/// The nodes up to the tag that closes them, which is taken too.
 fn children(rest: &mut &str) -> Vec<Node> {
     let mut found = Vec::new();
     while !rest.is_empty() {
@@ -81,7 +76,6 @@ fn row(inside: Vec<Node>) -> Node {
     Node::Element("mrow".into(), inside)
 }
 
-/// The sign of an operator, its brackets among them.
 fn sign(node: &Node) -> Option<&str> {
     match node {
         Node::Element(tag, inside) if name(tag) == "mo" => match inside.as_slice() {
@@ -94,8 +88,8 @@ fn sign(node: &Node) -> Option<&str> {
     }
 }
 
-/// How wide a list is, in letters' heights, rather too wide than too narrow; fractions in fractions are smaller unless all is
-/// as large as on a line of its own.
+/// In letters' heights, rather too wide than too narrow; fractions in fractions are smaller unless all is as
+/// large as on a line of its own.
 fn width(list: &[Node], display: bool) -> f64 {
     list.iter().map(|node| wide(node, display)).sum()
 }
@@ -143,7 +137,6 @@ fn letter(sign: char) -> f64 {
     }
 }
 
-/// A list no wider than the room, as far as that can be: itself, or a table of its rows.
 fn fitted(list: Vec<Node>, room: f64, display: bool) -> Vec<Node> {
     let rows = broken(flat(list, room, display), room, display);
     let rows = rows
@@ -166,7 +159,7 @@ fn fitted(list: Vec<Node>, room: f64, display: bool) -> Vec<Node> {
     vec![Node::Element(format!("mtable class=\"rows\"{style}"), rows)]
 }
 
-/// The list without the elements that hold long parts of it together: rows of their own, and brackets with a power.
+/// Rows of their own, and brackets with a power, hold long parts together.
 fn flat(list: Vec<Node>, room: f64, display: bool) -> Vec<Node> {
     let mut out = Vec::new();
     for node in list {
@@ -190,7 +183,6 @@ fn flat(list: Vec<Node>, room: f64, display: bool) -> Vec<Node> {
     out
 }
 
-/// Whether a node is a row that ends with a bracket.
 fn is_bracket(node: Option<&Node>) -> bool {
     let last = match node {
         Some(Node::Element(tag, inside)) if name(tag) == "mrow" => inside.last(),
@@ -199,7 +191,7 @@ fn is_bracket(node: Option<&Node>) -> bool {
     matches!(last.and_then(sign), Some(")" | "]"))
 }
 
-/// The list in rows, each begun by a sign between two terms, or by a factor where there is none.
+/// Each begun by a sign between two terms, or by a factor where there is none.
 fn broken(list: Vec<Node>, room: f64, display: bool) -> Vec<Vec<Node>> {
     // Before which places a row may begin, and how deep in brackets that is.
     let mut depth = 0_i32;
@@ -264,7 +256,6 @@ fn broken(list: Vec<Node>, room: f64, display: bool) -> Vec<Vec<Node>> {
     rows
 }
 
-/// A row whose fractions and roots are put in rows themselves, the widest first, as long as it is too wide.
 fn narrowed(mut row: Vec<Node>, room: f64, display: bool) -> Vec<Node> {
     for _ in 0..row.len() {
         let all = width(&row, display);
@@ -316,7 +307,6 @@ mod tests {
         )
     }
 
-    /// The widest row of a formula, however deep.
     fn widest(html: &str) -> f64 {
         wide(&Node::Element("mrow".into(), children(&mut &*html)), true)
     }

@@ -1,7 +1,5 @@
-//! The search: an index made from the finished pages, with formulas as words.
-//!
-//! mdBook's own index reads a formula twice, as MathML and as HTML, and drops Greek letters and brackets. This one
-//! takes its place, in the form that mdBook's searcher reads.
+//! The search: an index of the finished pages, with formulas as words, in the form of mdBook's, which reads a
+//! formula twice and drops Greek letters.
 
 use super::{context::Context, text::unescape};
 use crate::evidence::Change;
@@ -15,42 +13,34 @@ use elasticlunr::{Index, IndexBuilder, Language, Pipeline};
 use serde_json::json;
 use std::collections::BTreeMap;
 
-/// A stretch of a page, from one heading to the next.
 struct Stretch {
     address: String,
     title: String,
     path: String,
     body: String,
-    /// Words by which it is found though they do not stand in it.
     aliases: String,
 }
 
-/// What mdBook's searcher reads.
 #[derive(serde::Serialize)]
 struct Searched<'a> {
     results_options: serde_json::Value,
     search_options: serde_json::Value,
     doc_urls: &'a [&'a str],
-    /// The verdicts of claims, by the places of their boxes: slug and words.
+    /// By the places of their boxes: slug and words.
     verdicts: &'a BTreeMap<String, [&'static str; 2]>,
-    /// What comes first for who asks for just that: words, and the number of the place; of several places the first.
+    /// Words, and the number of the place; of several places the first.
     exact: Vec<(&'a str, usize)>,
-    /// Values, by as many digits as are known, with their places.
+    /// By as many digits as are known, with their places.
     values: Vec<(&'a str, usize)>,
-    /// Formulas as plain text, with their places.
     formulas: Vec<(&'a str, usize)>,
     index: &'a Index,
 }
 
-/// The index in the making.
 #[derive(Default)]
 pub(super) struct Search {
     stretches: Vec<Stretch>,
-    /// Words for a place, by its address.
     aliases: BTreeMap<String, String>,
-    /// Names of places, with their addresses.
     exact: Vec<(String, String)>,
-    /// Values and formulas, with the addresses of their claims.
     values: Vec<(String, String)>,
     formulas: Vec<(String, String)>,
     verdicts: BTreeMap<String, [&'static str; 2]>,
@@ -109,7 +99,7 @@ fn words(text: &str) -> Vec<String> {
     found
 }
 
-/// A word as it comes from a keyboard without Greek letters: `τ²` is `tau^2`, `λ_c` is `lambda_c`.
+/// From a keyboard without Greek letters: `τ²` is `tau^2`, `λ_c` is `lambda_c`.
 fn typed(word: &str) -> String {
     let mut out = String::new();
     for c in word.chars() {
@@ -123,7 +113,6 @@ fn typed(word: &str) -> String {
     out
 }
 
-/// A digit of an index as one on the line.
 fn flat_digit(c: char) -> char {
     match c {
         '₀'..='₉' => char::from_digit(u32::from(c) - u32::from('₀'), 10).unwrap_or(c),
@@ -132,7 +121,6 @@ fn flat_digit(c: char) -> char {
 }
 
 impl Search {
-    /// An index of nothing yet, for a book with these claims.
     pub(super) fn new(context: &Context<'_>) -> Self {
         let mut search = Search::default();
         let lines = context.edition.aliases.lines();
@@ -205,7 +193,6 @@ impl Search {
         search
     }
 
-    /// Adds a page: its file, and its HTML with words for formulas.
     pub(super) fn add(&mut self, file: &str, html: &str) {
         let main = html.split_once("<main>").map_or("", |(_, rest)| rest);
         let main = main.split_once("</main>").map_or(main, |(main, _)| main);
@@ -277,7 +264,6 @@ impl Search {
         }
     }
 
-    /// The file that mdBook's searcher loads.
     pub(super) fn file(&self) -> Result<String, serde_json::Error> {
         let fields = ["title", "body", "breadcrumbs", "aliases"];
         let mut index: Index = IndexBuilder::with_language(Box::new(Physics(English::new())))
@@ -315,7 +301,7 @@ impl Search {
     }
 }
 
-/// What leads to addresses, with the numbers of these; a page is its first place, and what leads nowhere is left out.
+/// With the numbers of the addresses; a page is its first place, and what leads nowhere is left out.
 fn placed<'a>(named: &'a [(String, String)], addresses: &[&str]) -> Vec<(&'a str, usize)> {
     let place = |address: &String| {
         let is =
@@ -327,8 +313,7 @@ fn placed<'a>(named: &'a [(String, String)], addresses: &[&str]) -> Vec<(&'a str
     named.collect()
 }
 
-/// What a reader would not search for: drawings, what was compared where, the steps of proofs, sources, and
-/// lists of what stands elsewhere.
+/// What a reader would not search for.
 fn left_out(tag: &Tag<'_>) -> bool {
     let has = |words: &[&str]| words.iter().any(|word| tag.tag.contains(word));
     match tag.name {

@@ -31,7 +31,6 @@ pub fn table<const N: usize>(
     )
 }
 
-/// The same, of rows that may fail.
 pub(super) fn tried<const N: usize>(
     class: &str,
     head: [&str; N],
@@ -40,8 +39,7 @@ pub(super) fn tried<const N: usize>(
     Ok(table(class, head, rows.collect::<Result<Vec<_>, _>>()?))
 }
 
-/// Text as it stands, as a block of HTML.
-/// A text as a block of code.
+/// A text as a block of code, in HTML.
 pub fn code(text: &str) -> String {
     let lines: Vec<_> = text.lines().map(escape).collect();
     let lines = lines.join("\n");
@@ -60,7 +58,6 @@ pub(super) fn sheets(context: &Context<'_>) -> Html {
     context.ledger.entries.iter().map(sheet).collect()
 }
 
-/// How many claims got which verdict, of those that there are.
 pub(super) fn counts(ledger: &Ledger) -> String {
     let counts = ledger.counts();
     let given = Verdict::ALL.into_iter().filter(|v| counts[v] > 0);
@@ -68,7 +65,6 @@ pub(super) fn counts(ledger: &Ledger) -> String {
     table("counts", ["Verdict", "Claims", "Meaning"], rows)
 }
 
-/// What a verdict means, in a few words.
 fn meaning(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Confirmed => "every trial agrees, by two independent routes or by a proof",
@@ -87,7 +83,6 @@ fn meaning(verdict: Verdict) -> &'static str {
     }
 }
 
-/// The claims of the topic of this stem: a mark for each, and the table folded away behind their count.
 pub(super) fn folded_topic(context: &Context<'_>, stem: &str) -> Html {
     let table = topic(context, stem)?;
     let entries: Vec<_> = context.of_topic(stem).collect();
@@ -130,7 +125,6 @@ fn row(context: &Context<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
     Ok([claim, verdict(entry.judgement.verdict), known(entry)])
 }
 
-/// How the answer is known: the strongest route first, then the others, and at how many points.
 fn known(entry: &Entry) -> String {
     let strongest = entry.strongest().map(Route::name);
     let routes: BTreeSet<_> = entry.evidence.iter().map(|e| e.route.name()).collect();
@@ -147,7 +141,6 @@ fn known(entry: &Entry) -> String {
     parts.collect::<Vec<_>>().join("; ")
 }
 
-/// All claims, topic by topic.
 pub(super) fn whole_ledger(context: &Context<'_>) -> Html {
     let mut html = String::new();
     let mut seen = BTreeSet::new();
@@ -176,7 +169,6 @@ fn sections(topic: &Topic) -> String {
     }
 }
 
-/// The routes: what each is, and how much this ledger rests on it.
 pub(super) fn routes(ledger: &Ledger) -> String {
     const ALL: [(Route, &str); 8] = [
         (Route::Exact, "zero-testing in exact arithmetic"),
@@ -218,7 +210,6 @@ pub(super) fn routes(ledger: &Ledger) -> String {
     )
 }
 
-/// The tolerances in use, each with its reason.
 pub(super) fn tolerances(context: &Context<'_>) -> Html {
     let mut uses: BTreeMap<&str, (Tolerance, usize)> = BTreeMap::new();
     for evidence in context.ledger.evidence() {
@@ -234,7 +225,6 @@ pub(super) fn tolerances(context: &Context<'_>) -> Html {
     tried("tolerances", ["Tolerance", "Reason", "Trials"], rows)
 }
 
-/// How many claims of which kind are proved, by which route, and how many are measured.
 pub(super) fn proofs(ledger: &Ledger) -> String {
     let row = |name: &str, counts: &dyn Fn(&Entry) -> bool| {
         let entries: Vec<_> = ledger.entries.iter().filter(|e| counts(e)).collect();
@@ -258,7 +248,6 @@ pub(super) fn proofs(ledger: &Ledger) -> String {
     )
 }
 
-/// What is missing where no theorem says the whole of a claim.
 pub(super) fn unreached(context: &Context<'_>) -> Html {
     let row = |(why, claims): &(&str, Vec<&'static Claim>)| {
         let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();
@@ -269,7 +258,6 @@ pub(super) fn unreached(context: &Context<'_>) -> Html {
     tried("unreached", head, reasons.iter().map(row))
 }
 
-/// How many points, the worst disagreement at them and what is allowed.
 fn sizes(measured: &Evidence) -> [String; 3] {
     [
         count(measured.points),
@@ -278,7 +266,6 @@ fn sizes(measured: &Evidence) -> [String; 3] {
     ]
 }
 
-/// Of every claim that was measured, the comparison that came closest to its tolerance.
 pub(super) fn accuracy(context: &Context<'_>) -> Html {
     let entries = context.ledger.entries.iter();
     let measured = entries.filter_map(|entry| Some((entry, entry.closest()?)));
@@ -307,8 +294,8 @@ pub(super) fn accuracy(context: &Context<'_>) -> Html {
     tried("accuracy", head, rows)
 }
 
-/// What need not be noticed of each claim, and why: `survivors`, the wrong variants that are not rejected; `cornered`, the mistakes
-/// in a corner that no measurement notices, and then the formulas that none reads.
+/// `survivors`, wrong variants that are not rejected; `cornered`, mistakes in a corner that no measurement
+/// notices, and the formulas that none reads.
 pub(super) fn excused(context: &Context<'_>, name: &'static str) -> Html {
     type Lists = &'static [fn(&Claim) -> &[Excuse]];
     let head = ["Claim", "Wrong variant", "Why it stands"];
@@ -332,8 +319,8 @@ fn trials<'a>(context: &Context<'a>) -> impl Iterator<Item = (&'a Entry, &'stati
     entries.flat_map(|entry| entry.claim.trials.iter().map(move |trial| (entry, trial)))
 }
 
-/// What of a formula trials need not notice: `coarse`, where measurements do not notice a mistake of twice their tolerance; `spared`, where
-/// proofs do not reject every wrong variant.
+/// `coarse`, where measurements do not notice a mistake of twice their tolerance; `spared`, where proofs do
+/// not reject every wrong variant.
 pub(super) fn excused_trials(context: &Context<'_>, name: &'static str) -> Html {
     type List = fn(&Attempt) -> &'static [Excuse];
     let (head, list): (_, List) = match name {
@@ -364,7 +351,6 @@ pub(super) fn excused_trials(context: &Context<'_>, name: &'static str) -> Html 
     tried(name, head, rows)
 }
 
-/// The trials that agree and notice no mistake in a formula.
 pub(super) fn idle(context: &Context<'_>) -> Html {
     let idle = trials(context).filter_map(|(entry, trial)| Some((entry, trial, trial.idle?)));
     let rows = idle.map(|(entry, trial, why)| {

@@ -14,7 +14,6 @@ use tempfile::TempDir;
 
 const EDITION: Edition = Edition::of("example", &PAPER);
 
-/// Writes the book with these pages of its own.
 fn with(pages: &[(&'static str, &str)], out: &Path) -> Result<PathBuf, BookError> {
     let pages = pages.iter().map(|(stem, text)| Page {
         stem,
@@ -33,7 +32,6 @@ fn with(pages: &[(&'static str, &str)], out: &Path) -> Result<PathBuf, BookError
     write(&edition, &ledger, &[], out)
 }
 
-/// A consequence of our own is called so, in its box and on its sheet: nothing says that it is printed.
 #[test]
 fn what_is_derived_here_is_not_said_to_be_printed() {
     const PROVED: Attempt =
@@ -81,7 +79,6 @@ trials = ['own::twice']",
     }
 }
 
-/// Whatever names a claim that is not there is told, all at once and before anything is tried.
 #[test]
 fn a_claim_that_is_gone_is_told_wherever_it_is_named() {
     let page = Page {
@@ -107,7 +104,6 @@ fn a_claim_that_is_gone_is_told_wherever_it_is_named() {
     );
 }
 
-/// Every file of a book without folders, by its name.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let items = fs::read_dir(folder)
         .unwrap()

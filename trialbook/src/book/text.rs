@@ -20,12 +20,11 @@ pub fn escape(text: &str) -> String {
     out
 }
 
-/// Data as code within a line.
 pub(super) fn in_code(text: &str) -> String {
     format!("<code>{}</code>", escape(text))
 }
 
-/// A text in which `write` says what stands for each mark and what follows it, up to the next.
+/// `write` says what stands for each mark and what follows it, up to the next.
 pub(super) fn after_each(
     text: &str,
     mark: &str,
@@ -37,14 +36,12 @@ pub(super) fn after_each(
     out
 }
 
-/// A text without all that stands between two marks, and without these.
 pub(super) fn without(text: &str, open: &str, close: &str) -> String {
     after_each(text, open, |part, out| {
         *out += part.split_once(close).map_or("", |(_, after)| after);
     })
 }
 
-/// The text behind the character references of HTML.
 pub(super) fn unescape(html: &str) -> String {
     after_each(html, "&", |part, out| {
         let reference = part.split_once(';').and_then(|(name, after)| {
@@ -75,15 +72,12 @@ pub(super) fn unescape(html: &str) -> String {
     })
 }
 
-/// A count in words, up to twelve.
 pub(super) fn in_words(n: usize) -> String {
     word(n).map_or_else(|| count(n), str::to_owned)
 }
 
-/// Functions that a phrase may begin with.
 const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "ln", "min", "max"];
 
-/// A phrase as the beginning of a sentence, without a full stop.
 pub(super) fn sentence(phrase: &str) -> String {
     let phrase = phrase.trim().trim_end_matches('.');
     let end = phrase.find(|c: char| !c.is_alphabetic());
@@ -97,7 +91,7 @@ pub(super) fn sentence(phrase: &str) -> String {
     }
 }
 
-/// A size of which the first two digits matter, as HTML.
+/// The first two digits matter.
 pub(super) fn size(x: f64) -> String {
     if x == 0.0 {
         "0".into()
@@ -110,7 +104,7 @@ pub(super) fn size(x: f64) -> String {
     }
 }
 
-/// A value with twelve digits, as HTML.
+/// Twelve digits.
 pub(super) fn value(x: f64) -> String {
     if x.is_nan() {
         return "no value".into();

@@ -7,7 +7,6 @@ use crate::theorems::prose::{Said, Writer, spoken};
 use crate::theorems::record::Accepted;
 use crate::theorems::source::Item;
 
-/// The theorems of a claim: as mathematics, what is supposed first, and as they were accepted.
 pub(super) fn of_claim(context: &Context<'_>, entry: &Entry) -> Html {
     let all = context
         .ledger
@@ -19,7 +18,6 @@ pub(super) fn of_claim(context: &Context<'_>, entry: &Entry) -> Html {
         .collect()
 }
 
-/// The theorems that belong to no claim.
 pub(super) fn beside(context: &Context<'_>) -> Html {
     let paper = context.ledger.paper;
     let all = paper.known_theorems().beside(paper);
@@ -63,10 +61,9 @@ fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
     ))
 }
 
-/// The most letters of a formula that a printed line takes.
 const LINE: usize = 72;
 
-/// Whether each formula fits a printed line and no words stand in one; else a statement is shown as it was accepted alone.
+/// Else a statement is shown as it was accepted alone.
 fn fits(said: &Said) -> bool {
     let all = said.given.iter().chain(&said.supposed).chain(&said.holds);
     let mut formulas = all.flat_map(|text| text.split('$').skip(1).step_by(2));
@@ -99,7 +96,6 @@ fn told(context: &Context<'_>, said: &Said) -> Html {
     Ok(given + &list("Suppose", &said.supposed)? + &list("Then", &said.holds)?)
 }
 
-/// A statement in which what is defined leads to its definition.
 fn linked(context: &Context<'_>, statement: &str) -> String {
     let sources = &context.ledger.paper.known_theorems().sources;
     let word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\'' | '.');
@@ -128,19 +124,16 @@ fn linked(context: &Context<'_>, statement: &str) -> String {
     out
 }
 
-/// Where a definition stands on that page.
 fn place(item: &Item) -> String {
     escape(&format!("{}.{}", item.stem(), item.name))
 }
 
-/// The page on which all definitions stand.
 fn page(context: &Context<'_>) -> String {
     let mut pages = context.edition.written();
     let page = pages.find(|page| page.text.contains("{{definitions}}"));
     page.map_or(String::new(), |page| format!("{}.html", page.stem))
 }
 
-/// What statements speak of: every definition that one of them uses, file by file.
 pub(super) fn definitions(context: &Context<'_>) -> Html {
     let known = context.ledger.paper.known_theorems();
     let used: std::collections::BTreeSet<_> = known

@@ -11,14 +11,12 @@ fn no_number(failure: Failure) -> Fault {
     format!("no number: {failure}").into()
 }
 
-/// A number by its short name.
 pub(super) fn shown(paper: &Paper, id: &str) -> Html {
     let unknown = || format!("there is no value `{id}`");
     let value = paper.value(id).ok_or_else(unknown)?;
     value.shown().map_err(no_number)
 }
 
-/// Four digits that matter, as a reader would remember them.
 fn short(text: &str) -> String {
     let value: f64 = text.parse().unwrap_or(f64::NAN);
     let before = libm::floor(libm::log10(value.abs().max(1e-4))) as i32;
@@ -27,7 +25,6 @@ fn short(text: &str) -> String {
     format!("{value:.*}", decimals.min(given.len()))
 }
 
-/// All numbers by size: those with a name, and those of the cases by hand.
 pub(super) fn table_of(context: &Context<'_>) -> Html {
     let paper = context.ledger.paper;
     let mut rows: Vec<(f64, [String; 4])> = Vec::new();

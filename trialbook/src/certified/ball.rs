@@ -1,7 +1,5 @@
-//! Balls: numbers of any length, with a radius that bounds all rounding.
-//!
-//! A ball is a whole number of units 2⁻ᵇ, b its *bits*, and a radius in the same units. Every operation adds to the
-//! radius what it may have lost. Nothing but whole numbers is computed with.
+//! Balls: numbers of any length, with a radius that bounds all rounding: a whole number of units 2⁻ᵇ, b its
+//! *bits*, and a radius in the same units, computed with whole numbers only.
 
 mod elementary;
 
@@ -18,7 +16,7 @@ pub struct Ball {
     bits: usize,
 }
 
-/// Bits that `digits` decimals after the point need, with a few to spare.
+/// Bits for `digits` decimals, with a few to spare.
 pub fn bits_for(digits: usize) -> usize {
     // log₂ 10 < 3.322
     digits * 3322 / 1000 + 16
@@ -48,7 +46,7 @@ impl Ball {
         self.bits
     }
 
-    /// How many bits after the point are known, about: the radius is below 2 to the minus this.
+    /// Bits after the point that are known, about.
     pub fn known_bits(&self) -> usize {
         self.bits.saturating_sub(self.rad.bit_len())
     }
@@ -76,7 +74,6 @@ impl Ball {
         }
     }
 
-    /// Lower and upper bound, in units.
     pub(super) fn bounds(&self) -> [IBig; 2] {
         [&self.mid - &self.rad, &self.mid + &self.rad]
     }
@@ -166,7 +163,6 @@ impl Ball {
     }
 }
 
-/// ⌊x 2ᵇⁱᵗˢ⌋; `None` for an x that is not finite.
 fn units(x: f64, bits: usize) -> Option<IBig> {
     let (mantissa, exponent) = if x.is_finite() {
         libm::frexp(x)
@@ -242,7 +238,6 @@ impl Neg for Ball {
     }
 }
 
-/// The same operations on balls that are no longer needed.
 macro_rules! by_value {
     ($($operation:ident $function:ident),*) => {$(
         impl $operation for Ball {

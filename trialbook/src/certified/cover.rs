@@ -1,4 +1,4 @@
-//! Statements about whole ranges, by subdivision: a box is halved until the statement is plain on every part.
+//! Statements about whole ranges: a box is halved until the statement is plain on every part.
 
 use super::{error::CertifiedError, interval::Interval};
 use std::collections::VecDeque;
@@ -25,8 +25,8 @@ impl Said {
         }
     }
 
-    /// That a quantity that is exactly zero, or some other one, is zero as far as its enclosure tells. An enclosure that
-    /// is not bounded does not tell: the quantity may have no value.
+    /// That a quantity that is exactly zero, or some other one, is zero as far as its bounded enclosure
+    /// tells.
     pub fn of_zero(quantity: Interval) -> Said {
         if !quantity.contains(0.0) {
             Said::Fails
@@ -50,8 +50,7 @@ impl Said {
         said
     }
 
-    /// That one of several statements holds on all of the part, whichever it is. Different ones may hold on its
-    /// halves, so that it does not fail where none does.
+    /// That one of several statements holds on all of the part; different ones may hold on its halves.
     pub fn any(all: impl IntoIterator<Item = Said>) -> Said {
         if all.into_iter().any(|said| said == Said::Holds) {
             Said::Holds
@@ -61,11 +60,10 @@ impl Said {
     }
 }
 
-/// Parts after which the search is given up: far more than any statement here needs.
+/// Far more parts than any statement here needs.
 const MOST: usize = 50_000;
 
-/// Proves that `said` holds on all of `range`; every bisection halves the side that is widest relative to the
-/// range. The parts are closed and cover the range without gaps. Returns how many there were.
+/// Proves that `said` holds on all of `range`, by closed parts without gaps; returns how many there were.
 ///
 /// # Errors
 /// [`CertifiedError::False`] with a part on which it fails, [`CertifiedError::NotProved`] with a part that no

@@ -6,7 +6,7 @@ use super::{
     interval::Interval,
 };
 
-/// How a number is enclosed: by its ball with so many bits after the point. Dimensionless.
+/// How a number is enclosed: by its ball with so many bits after the point.
 #[derive(Debug, Clone, Copy)]
 pub struct Enclosure(pub fn(usize) -> Result<Ball, CertifiedError>);
 
@@ -19,7 +19,7 @@ impl Enclosure {
         (self.0)(bits_for(digits))
     }
 
-    /// The number's decimals, correctly rounded to `digits` after the point.
+    /// The decimals, correctly rounded to `digits` after the point.
     ///
     /// # Errors
     /// As [`ball`](Self::ball), and [`CertifiedError::NotProved`] if the number is so close to the middle between

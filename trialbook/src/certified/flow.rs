@@ -1,10 +1,7 @@
-//! Validated integration: steps that enclose every motion from every start of a box.
-//!
-//! A step of length h does three things (Moore; Lohner). It finds a box that no motion from the start box leaves
-//! during the step, by Picard's iteration: B with x + \[0, h\] f(B) ⊂ B. It sums Taylor's series about the start box,
-//! with the last coefficient taken over all of B: that bounds what the series leaves out. And it does the same for
-//! the middle m of the start box and for the matrix J of derivatives by the start, so that the result is also
-//! within φ(m) + J (x − m), in which the widths shrink where the motions approach each other.
+//! Validated integration: steps that enclose every motion from every start of a box (Moore; Lohner). Picard's
+//! iteration finds a box B with x + \[0, h\] f(B) ⊂ B; Taylor's series is summed with the last coefficient
+//! taken over B, also for the middle m and for the matrix J of derivatives by the start: the result is also
+//! within φ(m) + J (x − m).
 
 mod tilted;
 
@@ -20,7 +17,7 @@ use crate::numerics::{
 /// Coefficients of a series; the last one is that of the remainder.
 pub const TERMS: usize = 18;
 
-/// The longest step that is tried, and by how much steps shrink until one encloses well, and grow again.
+/// By how much steps shrink until one encloses well, and grow again.
 const LONGEST: f64 = 1.0;
 const SHRINK: f64 = 0.7;
 const GROW: f64 = 1.2;
@@ -32,10 +29,9 @@ const SHORT: f64 = 0.1;
 /// Steps below this are none.
 const SHORTEST: f64 = 1e-9;
 
-/// A state of three components and its derivatives by three of the start: the state, then row by row.
+/// A state of three components, then its derivatives by three of the start, row by row.
 pub type Extended = [Interval; 12];
 
-/// The components at the start of a step: those of the state, and the unit matrix.
 fn extended(state: [Interval; 3]) -> Extended {
     std::array::from_fn(|i| match i {
         0..3 => state[i],
@@ -43,7 +39,7 @@ fn extended(state: [Interval; 3]) -> Extended {
     })
 }
 
-/// One step of a system that does not depend on the time; the state after it. `h` is the length to try first, and
+/// One step of a system without explicit time; the state after it. `h` is the length to try first, and
 /// becomes the one to try next.
 ///
 /// # Errors
@@ -85,11 +81,8 @@ fn attempt<S: System<Interval, 12, TERMS> + System<Interval, 3, TERMS>>(
     Some(next)
 }
 
-/// Where the flow takes a box.
 struct Image {
-    /// All states of the box, with the derivatives by the start.
     all: Extended,
-    /// One state of it.
     centre: [Interval; 3],
 }
 
@@ -125,7 +118,6 @@ where
     })
 }
 
-/// Coefficients of the series about each start of a box.
 fn series<S: System<Interval, D, N>, const D: usize, const N: usize>(
     system: &S,
     start: &[Interval; D],
@@ -137,7 +129,6 @@ fn series<S: System<Interval, D, N>, const D: usize, const N: usize>(
     Some(step.series)
 }
 
-/// Where motions from `start` are after times up to `h`, while they do not leave the walls.
 fn reached<S: System<Interval, 12, N>, const N: usize>(
     system: &S,
     start: &Extended,
@@ -207,7 +198,6 @@ mod tests {
 
     #[test]
     fn known_motions_are_enclosed() {
-        // z = 1/(z₀⁻¹ − t), the others turn; the time is read off z.
         let (mut state, mut h) = ([1.0, 0.0, 0.1].map(Interval::point), 1.0);
         for _ in 0..12 {
             state = step(&Known, &state, &mut h).unwrap();

@@ -1,12 +1,6 @@
-//! Intervals of real numbers between two f64, rounded outwards.
-//!
-//! Whatever real numbers are taken from the operands, the result of an operation contains what the operation makes
-//! of them. An operation that has no value somewhere on its operands gives the whole line, from which nothing
-//! follows: every operation on the whole line gives it again. A quotient by the numbers from 0 up, or down, is alone in
-//! having one bound: that of the quotients by those that are not 0.
-//!
-//! What is unbounded stays so. No operation makes a bounded interval of one that is not, and therefore a
-//! [bounded](Interval::is_bounded) one says that there is a value everywhere.
+//! Intervals of real numbers between two f64, rounded outwards. Where an operation has no value it gives the
+//! whole line (a quotient by numbers from 0 up, or down, has one bound), and what is unbounded stays so: a
+//! [bounded](Interval::is_bounded) interval says that there is a value everywhere.
 
 mod elementary;
 mod rounding;
@@ -49,7 +43,7 @@ impl Interval {
         Self::new(x, x)
     }
 
-    /// The single number `x`, which is finite.
+    /// Of a finite `x`.
     pub(super) const fn point_unchecked(x: f64) -> Self {
         Interval { lo: x, hi: x }
     }
@@ -252,7 +246,6 @@ impl fmt::Debug for Interval {
     }
 }
 
-/// Both bounds, in decimals.
 impl fmt::Display for Interval {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "[{}, {}]", self.lo, self.hi)

@@ -1,11 +1,11 @@
-//! A function with its slopes, enclosed: a formula that is evaluated on jets is differentiated on the way.
+//! A function with its slopes, enclosed: a formula evaluated on jets is differentiated on the way.
 
 use super::interval::Interval;
 use crate::scalar::Scalar;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The value of a function of `N` variables on a box and its derivative by each of them. Where the function has no value
-/// somewhere on the box, the derivatives are not known either.
+/// The value of a function of `N` variables on a box and its derivatives; unknown where it has no value
+/// somewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jet<const N: usize> {
     /// The values.
@@ -35,7 +35,6 @@ impl<const N: usize> Jet<N> {
         })
     }
 
-    /// A function of this one with the given value and derivative.
     fn chain(self, value: Interval, derivative: Interval) -> Self {
         let derivative = if value == Interval::WHOLE {
             value
@@ -161,7 +160,6 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// A formula with everything in it.
     fn all<S: Scalar>([x, y]: [S; 2]) -> S {
         (x * y).sin().exp() / (y.squared() + S::int(1)).sqrt()
             + x.asin() * y.acos()
@@ -169,7 +167,6 @@ mod tests {
             - (x.cos() + S::pi()).ln() * y.sinh()
     }
 
-    /// Every function, and some formulas that have no value somewhere.
     fn formulas<S: Scalar>(x: S) -> [S; 17] {
         let [one, two, three] = [1, 2, 3].map(S::int);
         [

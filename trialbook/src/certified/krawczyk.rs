@@ -1,15 +1,14 @@
-//! A common root of several equations: existence and uniqueness in a box, by Krawczyk's operator.
+//! A common root of several equations, by Krawczyk's operator.
 
 use super::{error::CertifiedError, interval::Interval, jet::Jet};
 
-/// Steps after which a box has shrunk as far as f64 allow.
+/// A box has shrunk as far as f64 allow by then.
 const STEPS: usize = 20;
 
-/// Proves that the two equations f = 0 have exactly one common root in the box, and encloses it.
+/// Proves that the two equations f = 0 have exactly one common root in the box X, and encloses it.
 ///
-/// With m the middle of the box X and C about the inverse of the matrix of slopes, Krawczyk's image is
-/// K = m − C f(m) + (1 − C f′(X)) (X − m). It contains every root in X; if it lies inside X, there is exactly one
-/// (Krawczyk 1969, Moore 1977).
+/// With m its middle and C about the inverse of the matrix of slopes, K = m − C f(m) + (1 − C f′(X)) (X − m)
+/// contains every root in X; if it lies inside X, there is exactly one (Krawczyk 1969, Moore 1977).
 ///
 /// # Errors
 /// [`CertifiedError::NotProved`] if the slopes have no inverse in the middle, or the image is not inside the box.
@@ -53,7 +52,7 @@ pub fn unique(
     Ok(x)
 }
 
-/// The inverse of a matrix, as point intervals; rounding does not matter.
+/// As point intervals; rounding does not matter.
 fn inverse([[a, b], [c, d]]: [[f64; 2]; 2]) -> Option<[[Interval; 2]; 2]> {
     let det = a * d - b * c;
     let entries = [[d, -b], [-c, a]].map(|row| row.map(|x| x / det));
@@ -66,7 +65,6 @@ mod tests {
     use super::*;
     use crate::scalar::Scalar;
 
-    /// A circle of radius √5 and a hyperbola, which meet at (2, 1) and (1, 2).
     fn curves([x, y]: [Jet<2>; 2]) -> [Jet<2>; 2] {
         [x.squared() + y.squared() - Jet::int(5), x * y - Jet::int(2)]
     }
@@ -88,7 +86,6 @@ mod tests {
         }
     }
 
-    /// x and y, times all numbers from `lo` to `hi`.
     fn stretched(lo: f64, hi: f64, start: [Interval; 2]) -> Result<[Interval; 2], CertifiedError> {
         let factor = Jet::constant(Interval::new(lo, hi));
         unique(|xy| xy.map(|x| factor * x), start)

@@ -1,18 +1,18 @@
-//! A root of one equation: that it exists and is the only one in a box, and as many bits of it as wanted.
+//! A root of one equation: the only one in a box, with as many bits as wanted.
 
 use super::{ball::Ball, error::CertifiedError, interval::Interval};
 
-/// Bits of the first steps, in which the box shrinks to what an f64 can say.
+/// In the first steps the box shrinks to what an f64 can say.
 const FIRST: usize = 64;
 
-/// Steps within which [`FIRST`] bits are reached from any box that shrinks at all.
+/// Within these any box that shrinks at all reaches [`FIRST`] bits.
 const STEPS: usize = 64;
 
 /// The root of f in the box `start`, to `bits` bits after the point, by Newton's method with balls.
 ///
-/// `f` gives the function and its derivative on a ball. Newton's image of a ball X is N = m − f(m)/f′(X), m the
-/// middle of X. It contains every root of f in X; if it lies inside X, there is exactly one. So one step proves
-/// existence and uniqueness in the box, and each further step doubles the bits that are known.
+/// `f` gives the function and its derivative on a ball. N = m − f(m)/f′(X), m the middle of X, contains every
+/// root of f in X; if it lies inside X, there is exactly one. Each further step doubles the bits that are
+/// known.
 ///
 /// # Errors
 /// [`CertifiedError::NotProved`] if f′ has no sign on the box, or Newton's image of the box is not inside it.

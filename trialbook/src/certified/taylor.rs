@@ -7,8 +7,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The coefficients f⁽ᵏ⁾/k!, k < `N`, enclosed for all points of a box at once.
 ///
-/// If f and its first n − 1 derivatives are zero at the box's end e, then f(x) = cₙ (x − e)ⁿ for every x of the box
-/// with a cₙ from the n-th coefficient: Taylor's theorem with Lagrange's remainder.
+/// If f and its first n − 1 derivatives are zero at the end e, then f(x) = cₙ (x − e)ⁿ with a cₙ from the
+/// n-th coefficient (Lagrange's remainder).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taylor<const N: usize>([Interval; N]);
 
@@ -27,7 +27,6 @@ impl<const N: usize> Taylor<N> {
         self.0
     }
 
-    /// A series of which each coefficient follows from those before.
     fn built(mut next: impl FnMut(&[Interval; N], usize) -> Interval) -> Self {
         let mut built = [Interval::int(0); N];
         for k in 0..N {

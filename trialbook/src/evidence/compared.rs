@@ -3,7 +3,7 @@
 use serde::{Serialize, Serializer};
 use std::fmt::{self, Display};
 
-/// The two sides of a comparison, as parts of a sentence; formulas as LaTeX in `$…$`.
+/// The two sides of a comparison, in words; formulas as LaTeX in `$…$`.
 ///
 /// ```
 /// use trialbook::evidence::Compared;
@@ -13,18 +13,14 @@ use std::fmt::{self, Display};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Compared {
-    /// What the claim states; a comma at its end parts what was added to it from the verb. Or, without a found side, all
-    /// that is to be proved.
+    /// A comma at its end parts what was added to it from the verb. Without a found side, all that is to be
+    /// proved.
     stated: Words,
-    /// What is found without the claim.
     found: Option<Words>,
-    /// Which of the two a sentence begins with.
     form: Form,
-    /// Where the two are compared, if more is to be said than what can be read from the points.
     over: Option<Words>,
 }
 
-/// Words of which a part may be a trial's own, between parts that it shares with others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Words([&'static str; 3]);
 
@@ -50,18 +46,14 @@ impl Serialize for Words {
     }
 }
 
-/// How the sentence is built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 enum Form {
-    /// It begins with the one thing that is stated.
     One,
-    /// It begins with the several things that are stated.
     Many,
-    /// What is stated is a number that says little by itself: it begins with what is found.
+    /// A number that says little by itself: the sentence begins with what is found.
     Constant,
 }
 
-/// One thing that is stated, and what is found.
 impl From<[&'static str; 2]> for Compared {
     fn from([stated, found]: [&'static str; 2]) -> Self {
         Compared::one(stated, found)
@@ -74,7 +66,7 @@ impl Compared {
         Self::composed([stated, "", ""], [found, "", ""])
     }
 
-    /// The same from parts, of which one is a row's own and the others are those of its table.
+    /// The same from parts, one a row's own, the others its table's.
     ///
     /// ```
     /// use trialbook::evidence::Compared;
@@ -98,8 +90,8 @@ impl Compared {
         Compared { form, ..one }
     }
 
-    /// A number that is stated or expected, with what it means, and what is found; a comma at the end of the latter parts it from
-    /// the verb.
+    /// A number that is stated or expected, with what it means, and what is found; a comma at its end parts
+    /// it from the verb.
     ///
     /// ```
     /// use trialbook::evidence::Compared;
@@ -112,7 +104,7 @@ impl Compared {
         Compared { form, ..one }
     }
 
-    /// What a proof shows where no two sides are compared, as a clause.
+    /// What a proof without two sides shows, as a clause.
     pub const fn shown(clause: &'static str) -> Self {
         let one = Self::one(clause, "");
         Compared { found: None, ..one }
@@ -135,7 +127,7 @@ impl Compared {
         self.stated.without_comma()
     }
 
-    /// What is found; nothing for a proof in which no two sides are compared.
+    /// What is found; nothing for a proof without two sides.
     pub fn found(&self) -> Option<String> {
         self.found.map(|found| found.without_comma())
     }
@@ -145,7 +137,7 @@ impl Compared {
         self.over.map(|words| words.to_string())
     }
 
-    /// What was compared with what, as a clause; formulas in `$…$`.
+    /// What was compared, as a clause; formulas in `$…$`.
     pub fn words(&self) -> String {
         let Some(found) = self.found else {
             return self.stated.to_string();

@@ -1,15 +1,15 @@
-//! Between which ends the coordinates of a trial's points lie, read from what the points are called.
+//! Between which ends a trial's points lie, read from what they are called.
 
 use serde::Serialize;
 
-/// So many coordinates are told; of more a reader keeps none in mind.
+/// Of more a reader keeps none in mind.
 const MOST: usize = 5;
 
 /// The least and the greatest value of each coordinate.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Ranges {
     coordinates: Vec<(String, [f64; 2])>,
-    /// True if the points have not all the same coordinates, or are not numbers.
+    /// Not all points have the same coordinates, or are numbers.
     mixed: bool,
 }
 
@@ -41,7 +41,7 @@ impl Ranges {
         self.mixed |= known > 0;
     }
 
-    /// `λ from 1.00 to 966, θ₀ from 0 to 3.14`; nothing where the points cannot be told so.
+    /// `λ from 1.00 to 966, θ₀ from 0 to 3.14`; nothing where that cannot be told.
     pub fn words(&self) -> Option<String> {
         let told = !self.mixed && (1..=MOST).contains(&self.coordinates.len());
         let words = |(name, [low, high]): &(String, [f64; 2])| {
@@ -60,7 +60,6 @@ impl Ranges {
     }
 }
 
-/// The name and the value in `λ = 1.5`.
 fn coordinate(part: &str) -> Option<(&str, f64)> {
     let (name, value) = part.split_once(" = ")?;
     let name = name.strip_prefix("from ").unwrap_or(name);
@@ -68,7 +67,6 @@ fn coordinate(part: &str) -> Option<(&str, f64)> {
     value.is_finite().then_some((name, value))
 }
 
-/// Three digits, without zeros at their end.
 pub(crate) fn short(value: f64) -> String {
     let scientific = format!("{value:.2e}");
     let Some((digits, power)) = scientific.split_once('e') else {

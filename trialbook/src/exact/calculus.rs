@@ -1,4 +1,4 @@
-//! What is done with elements of a ring: zero-testing, division, differentiation, putting values in.
+//! Elements of a ring: zero-testing, division, differentiation, putting values in.
 
 use super::error::ExactError;
 use super::origin::{below, made_of};
@@ -7,10 +7,9 @@ use super::rational::Rational;
 use super::ring::{PI, Ring, Rule};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Values of generators.
 type Values<'a> = BTreeMap<usize, &'a Rational>;
 
-/// The rates of the free symbols along a motion, or with respect to one of them; 0 for all others.
+/// The rates of the free symbols along a motion, or by one of them; 0 for all others.
 #[derive(Debug, Clone, Default)]
 pub struct Derivation {
     rates: BTreeMap<usize, Rational>,
@@ -90,7 +89,7 @@ impl Ring {
         self.along(&[(name, Rational::int(1))])
     }
 
-    /// The derivation along a motion that gives these free symbols these rates, and keeps all others.
+    /// The derivation along a motion with these rates; all other free symbols keep still.
     ///
     /// # Errors
     /// [`ExactError::UnknownSymbol`] or [`ExactError::NotFree`].
@@ -163,9 +162,8 @@ impl Ring {
         }
     }
 
-    /// The element with values put in for some of its generators. What is made of these has to be put in too, with the
-    /// value that its rule gives; a half tangent, half exponential or logarithm may have any, if all else that occurs
-    /// does without what it is made of.
+    /// The element with values put in for some of its generators, and for what is made of these; a half
+    /// tangent, half exponential or logarithm may have any, if what it is made of does not occur.
     ///
     /// # Errors
     /// [`ExactError::AgainstRule`] if a generator in it does not keep to its rule, [`ExactError::DivisionByZero`] if a
@@ -205,7 +203,7 @@ impl Ring {
         self.at(x, &values)
     }
 
-    /// Whether a generator has the value that its rule gives it where others have these; alone, it may have any.
+    /// Alone, it may have any.
     fn keeps(&self, g: usize, values: &Values<'_>, alone: bool) -> Result<bool, ExactError> {
         let at = |x: &Rational| self.at(x, values);
         let of = |h: usize| at(&Rational::generator(h));

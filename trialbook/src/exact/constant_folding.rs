@@ -1,8 +1,8 @@
-//! Formulas without idle parts: no zero is added, nothing is multiplied by one; and no number has a sign inside.
+//! Formulas without idle parts: no zero added, no factor one, no sign inside a number.
 
 use super::expr::{Binary, Expr, Function, Node};
 
-/// The same formula with whole numbers for the symbols that `value` knows, without what changes nothing then.
+/// The formula with whole numbers for the symbols that `value` knows, without what changes nothing.
 pub fn folded(formula: Expr, value: &dyn Fn(&str) -> Option<i64>) -> Expr {
     let of = |x: Expr| folded(x, value);
     match formula.node() {

@@ -10,16 +10,16 @@ pub enum ExactError {
     /// A name that is declared already.
     #[error("the symbol {0} is declared twice")]
     DeclaredTwice(String),
-    /// A symbol that is not free to vary, because it stands for something else.
+    /// A symbol that is not free to vary.
     #[error("{0} is not a free symbol of the ring, its rate cannot be chosen")]
     NotFree(String),
     /// A divisor that is zero in the ring.
     #[error("division by {0}, which is zero")]
     DivisionByZero(String),
-    /// A circular function of something that is not made of declared angles.
+    /// A circular function of what is not made of declared angles.
     #[error("{0} is not a sum of half multiples of declared angles and of π/2, up to 32 of each")]
     NoAngle(String),
-    /// A hyperbolic function or an exponential of something that is not made of declared arguments.
+    /// A hyperbolic function or an exponential of what is not made of declared arguments.
     #[error(
         "{0} is not a sum of half multiples of declared hyperbolic arguments, up to 32 of each"
     )]
@@ -45,7 +45,7 @@ pub enum ExactError {
         /// Its argument.
         of: String,
     },
-    /// A power or logarithm of a number, or a value that is not what it is declared to be.
+    /// A power or logarithm of a number, or a value that is not as declared.
     #[error("{0} cannot be declared")]
     BadDeclaration(String),
     /// A value for a generator that its rule does not give it.
@@ -54,10 +54,10 @@ pub enum ExactError {
     /// A function that has no power series there: of what.
     #[error("there is no series in whole powers {0}")]
     NoSeries(String),
-    /// Equations for coefficients that contradict each other: what would have to be zero.
+    /// Equations for coefficients that contradict each other.
     #[error("the equations for the coefficients have no solution: {0} is left over")]
     Unsolvable(String),
-    /// A power whose exponent varies, while the logarithm of its base is not declared.
+    /// A power whose exponent varies, without the logarithm of its base.
     #[error("the exponent of {0} varies, and the logarithm of its base is not declared")]
     VaryingExponent(String),
 }

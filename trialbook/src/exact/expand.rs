@@ -7,8 +7,8 @@ use super::ring::Ring;
 use super::series::Series;
 
 impl Ring {
-    /// Reads a formula in which some symbols stand for series; what else occurs is read as by [`Ring::read`] and does
-    /// not depend on the small quantity. Nothing is kept beyond `order`.
+    /// Reads a formula in which some symbols stand for series; all else is read as by [`Ring::read`]. Nothing
+    /// is kept beyond `order`.
     ///
     /// # Errors
     /// As [`Ring::read`], and [`ExactError::NoSeries`] where the formula has no series in whole powers.
@@ -104,7 +104,6 @@ impl Ring {
         }
     }
 
-    /// cosh and sinh of a whole multiple of a symbol whose exponential is given, under the name `exp …`.
     fn exponential_of(
         &self,
         x: Expr,
@@ -129,7 +128,6 @@ impl Ring {
         Ok(Some((halved(up.plus(&down))?, halved(up.minus(&down))?)))
     }
 
-    /// A function of something whose cosh and sinh are known.
     fn by_pair(
         &self,
         function: Function,
@@ -166,7 +164,7 @@ impl Ring {
         Ok(Series::new(0, sum))
     }
 
-    /// Cosine and sine for `sign` −1, cosh and sinh for +1: they obey s′ = x′ c and c′ = `sign` x′ s.
+    /// For `sign` −1 or, hyperbolic, +1: s′ = x′ c and c′ = `sign` x′ s.
     fn pair(&self, x: &Series, sign: i64) -> Result<(Series, Series), ExactError> {
         let (first, x) = x.split(self)?;
         let (c, s) = if sign < 0 {
@@ -195,7 +193,6 @@ mod tests {
     use super::*;
     use crate::scalar::Scalar;
 
-    /// The coefficients of a function of x, from the power `from` on, as text.
     fn coefficients(formula: Expr, from: i64) -> Vec<String> {
         let ring = Ring::new();
         let x = Series::monomial(Rational::int(1), 1, 7);
@@ -239,7 +236,6 @@ mod tests {
         }
     }
 
-    /// To whatever order it varies.
     #[test]
     fn a_power_whose_exponent_varies_is_refused() {
         let ring = Ring::new();
@@ -253,7 +249,6 @@ mod tests {
         }
     }
 
-    /// Of whatever order.
     #[test]
     fn what_is_expanded_about_a_pole_is_refused() {
         let ring = Ring::new();

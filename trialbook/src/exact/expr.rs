@@ -1,4 +1,4 @@
-//! A formula as a syntax tree: what a printed formula becomes when it is read and not evaluated.
+//! A formula as a syntax tree.
 
 use crate::scalar::Scalar;
 use std::cell::RefCell;
@@ -7,10 +7,8 @@ use std::fmt;
 use std::marker::PhantomData;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A node of a formula's syntax tree.
-///
-/// A `Copy` handle into this thread's store of nodes, where each node exists once: two handles are equal
-/// exactly if their trees are. It cannot leave its thread.
+/// A node of a formula's syntax tree: a handle into this thread's store, equal exactly if the trees are. It
+/// cannot leave its thread.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Expr {
     index: u32,
@@ -135,7 +133,6 @@ impl Expr {
         Self::new(Node::Symbol(name))
     }
 
-    /// The number of the tree in this thread's store.
     pub(super) fn index(self) -> u32 {
         self.index
     }
@@ -169,7 +166,7 @@ impl Expr {
         }
     }
 
-    /// The formula's value, with `value` for each symbol; `None` if that has none for one of them.
+    /// The formula's value; `None` if a symbol has none.
     pub fn evaluate<S: Scalar>(self, value: &dyn Fn(&str) -> Option<S>) -> Option<S> {
         Some(match self.node() {
             Node::Int(n) => S::int(n),
@@ -215,7 +212,7 @@ impl Expr {
         Self::new(Node::Call(function, self))
     }
 
-    /// How tightly the node on top binds, from sums (1) to single symbols (5).
+    /// From sums (1) to single symbols (5).
     fn strength(self) -> u8 {
         match self.node() {
             Node::Binary(Binary::Add | Binary::Sub, ..) => 1,
@@ -224,7 +221,6 @@ impl Expr {
             Node::Binary(Binary::Mul, x, y) if x == y => 4,
             Node::Binary(Binary::Mul | Binary::Div, ..) => 3,
             Node::Binary(Binary::Pow, ..) => 4,
-            // One symbol, such as qλ₀, that looks like a product.
             Node::Symbol(name) if letters_meet(name) => 4,
             Node::Call(..) | Node::Int(_) | Node::Pi | Node::Symbol(_) => 5,
         }
@@ -239,7 +235,7 @@ impl Expr {
     }
 }
 
-/// Whether two letters stand side by side, outside brackets.
+/// Outside brackets.
 fn letters_meet(name: &str) -> bool {
     let index = |c: char| ('ₐ'..='ₜ').contains(&c);
     let letter = name.chars().map(|c| c.is_alphabetic() && !index(c));
@@ -316,7 +312,6 @@ impl Div for Expr {
     }
 }
 
-/// With a whole number on either side.
 macro_rules! with_whole_numbers {
     ($($operator:ident $method:ident),*) => {
         $(

@@ -1,14 +1,14 @@
-//! Linear factors of polynomials in one generator, by their rational roots: what keeps fractions small.
+//! Linear factors of polynomials in one generator, by their rational roots: they keep fractions small.
 
 use super::polynomial::Polynomial;
 use dashu_int::IBig;
 
-/// Roots p/q are looked for with |p| and q up to this.
+/// |p| and q up to this.
 const LARGEST: i64 = 12;
 
 impl Polynomial {
-    /// Factors q x − p with small whole p and q, each as often as it occurs, and what is left; of a polynomial in more
-    /// than one generator, nothing is split off.
+    /// Factors q x − p with small whole p and q, each as often as it occurs, and what is left; with more than
+    /// one generator, nothing is split off.
     pub(super) fn split_linear(self) -> (Vec<(Polynomial, u32)>, Polynomial) {
         let degrees = self.degrees();
         let mut found = Vec::new();

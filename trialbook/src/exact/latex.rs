@@ -1,8 +1,6 @@
-//! Printed formulas, in LaTeX, as syntax trees.
-//!
-//! A text is split into [`Statement`]s, a statement by its relations into [`Side`]s. A side is read with a [`Lexicon`],
-//! which says what its names mean; its [`Value`] is a tree, or three for a vector. What is not understood is an error
-//! that says where: nothing is guessed.
+//! Printed formulas, in LaTeX, as syntax trees. A text is split into [`Statement`]s, these into [`Side`]s,
+//! read with a [`Lexicon`] of names; a [`Value`] is a tree, or three for a vector. What is not understood is
+//! an error that says where.
 //!
 //! ```
 //! use trialbook::exact::Expr;

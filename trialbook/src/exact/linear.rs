@@ -6,8 +6,8 @@ use super::rational::Rational;
 use super::ring::Ring;
 
 impl Ring {
-    /// Solves equations that are linear in free symbols, each with the coefficients of the powers of `monomials`
-    /// compared; returns the values. Symbols that the equations leave free keep themselves.
+    /// Solves equations linear in free symbols, each with the coefficients of the powers of `monomials`
+    /// compared. Symbols left free keep themselves.
     ///
     /// # Errors
     /// [`ExactError::Unsolvable`] if they contradict each other; as [`Ring::derivative`] and [`Ring::divide`].
@@ -103,7 +103,7 @@ mod tests {
         assert!(matches!(contradiction, Err(ExactError::Unsolvable { .. })));
     }
 
-    /// Wherever it stands among equations that agree.
+    /// Wherever it stands.
     #[test]
     fn one_contradiction_is_enough() {
         let [x, y] = ["x", "y"].map(Expr::symbol);

@@ -1,8 +1,8 @@
-//! Proofs in exact arithmetic: identities among a paper's formulas, decided and not measured.
+//! Proofs in exact arithmetic: identities among a paper's formulas.
 //!
 //! A formula is read as a tree ([`Expr`]), put into a differential ring ([`Ring`]) where sines, exponentials,
-//! powers and roots are rational functions of a few generators, and tested for zero exactly. A formula may also be
-//! read as a power [`Series`], whose coefficients such equations give. A [`Proof`] keeps the steps for a reader.
+//! powers and roots are rational functions of a few generators, and tested for zero; or read as a power
+//! [`Series`]. A [`Proof`] keeps the steps for a reader.
 //!
 //! ```
 //! use trialbook::exact::{Expr, Proof, Ring};

@@ -1,4 +1,4 @@
-//! How the elements of a proof came about: what was given, or read from one formula, is equal as it stands, which proves nothing.
+//! How the elements of a proof came about: what is equal as it stands proves nothing.
 
 use super::constant_folding::folded;
 use super::expr::{Expr, Node};
@@ -6,19 +6,15 @@ use super::rational::Rational;
 use super::ring::{Ring, Rule};
 use std::collections::BTreeSet;
 
-/// How an element was made.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) enum Made {
-    /// It was given as it is: a number, a quantity.
     #[default]
     Given,
-    /// It was read from the formula of this number in this thread's store.
     Read(u32),
-    /// It was formed of others.
     Formed,
 }
 
-/// A formula with whole numbers for the symbols that stand for such, and without idle parts.
+/// With whole numbers for the symbols that stand for such, and without idle parts.
 fn named(formula: Expr, ring: &Ring) -> Expr {
     folded(formula, &|name| {
         let value = ring.named(name).ok()?.as_integer()?;
@@ -26,7 +22,7 @@ fn named(formula: Expr, ring: &Ring) -> Expr {
     })
 }
 
-/// Whether two equal elements are so as they stand, without a proof: both were given so, or read from one formula.
+/// Both were given so, or read from one formula.
 pub(super) fn is_plain(x: &Rational, y: &Rational, difference: &Rational, ring: &Ring) -> bool {
     // The formula, if it was read from more than a name or a number.
     let of = |x: &Rational| match x.made() {
@@ -45,7 +41,6 @@ pub(super) fn is_plain(x: &Rational, y: &Rational, difference: &Rational, ring: 
     }
 }
 
-/// Whether nothing but whole numbers stands in a formula.
 fn is_number(formula: Expr) -> bool {
     match formula.node() {
         Node::Int(_) => true,
@@ -55,7 +50,6 @@ fn is_number(formula: Expr) -> bool {
     }
 }
 
-/// The generators that a generator is made of.
 pub(super) fn below(rule: &Rule) -> BTreeSet<usize> {
     match rule {
         Rule::Constant | Rule::Free => BTreeSet::new(),
@@ -66,7 +60,6 @@ pub(super) fn below(rule: &Rule) -> BTreeSet<usize> {
     }
 }
 
-/// The generators that these are made of, with these.
 pub(super) fn made_of(ring: &Ring, mut these: BTreeSet<usize>) -> BTreeSet<usize> {
     for g in (0..ring.rules.len()).rev() {
         if these.contains(&g) {

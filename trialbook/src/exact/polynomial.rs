@@ -9,13 +9,13 @@ use std::collections::btree_map::Entry;
 use std::fmt::Write;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Exponents of the generators 0, 1, 2, …; trailing zeros left out. Ordered lexicographically, which is an
-/// order that multiplication respects. Up to twenty stand in place: most rings have no more generators.
+/// Exponents of the generators 0, 1, 2, …; trailing zeros left out. Multiplication respects the order. Few
+/// rings have more than twenty generators.
 type Monomial = SmallVec<[u32; 20]>;
 
 type Term = (Monomial, IBig);
 
-/// A polynomial over ℤ in generators that are known by their index. Exact; zero only if it has no terms.
+/// A polynomial over ℤ in generators known by their index; zero only if it has no terms.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Polynomial {
     /// In ascending order, each monomial once, no coefficient 0.
@@ -69,7 +69,7 @@ impl Polynomial {
         self.terms.len()
     }
 
-    /// The coefficient of each generator, if the polynomial is a sum of multiples of generators.
+    /// The coefficient of each generator, if this is a sum of multiples of them.
     pub fn as_linear(&self) -> Option<Vec<(usize, IBig)>> {
         let linear = |(m, c): &Term| {
             let single = m.iter().sum::<u32>() == 1;
@@ -140,7 +140,7 @@ impl Polynomial {
         parts
     }
 
-    /// The indices of the generators that occur, each with its highest power.
+    /// The generators that occur, each with its highest power.
     pub fn degrees(&self) -> BTreeMap<usize, u32> {
         let mut degrees = BTreeMap::new();
         for (m, _) in &self.terms {
@@ -152,7 +152,6 @@ impl Polynomial {
         degrees
     }
 
-    /// The largest power of each generator that divides the polynomial.
     fn common(&self) -> Monomial {
         let mut monomials = self.terms.iter().map(|(m, _)| m);
         let first = monomials.next().cloned().unwrap_or_default();
@@ -162,7 +161,7 @@ impl Polynomial {
         }))
     }
 
-    /// A number times powers of generators, and what is left when that is divided out.
+    /// A number times powers of generators, and what that leaves when divided out.
     pub fn split_monomial(&self) -> (Polynomial, Polynomial) {
         let monomial = Self::collect(vec![(self.common(), self.content())]);
         match self.divide_exact(&monomial) {
@@ -171,7 +170,7 @@ impl Polynomial {
         }
     }
 
-    /// The quotient, if `divisor` divides the polynomial without a remainder; `None` also for divisor 0.
+    /// The quotient, if `divisor` divides without a remainder; `None` also for divisor 0.
     pub fn divide_exact(&self, divisor: &Polynomial) -> Option<Polynomial> {
         let ((lead, lead_c), below) = divisor.terms.split_last()?;
         let over_lead = |(m, c): (&Monomial, &IBig)| {
@@ -211,7 +210,7 @@ impl Polynomial {
         Some(Polynomial { terms })
     }
 
-    /// The value where generator `g` has the value `at[g]`, in floating point: for tests against numbers.
+    /// The value where generator `g` is `at[g]`, in floating point, for tests.
     #[cfg(test)]
     pub fn value(&self, at: &[f64]) -> f64 {
         let term = |(m, c): &Term| {
@@ -252,7 +251,6 @@ impl Polynomial {
         if text.is_empty() { "0".into() } else { text }
     }
 
-    /// The sum of terms in any order.
     fn collect(mut terms: Vec<Term>) -> Self {
         terms.sort_unstable_by(|(m, _), (n, _)| m.cmp(n));
         terms.dedup_by(|(m, c), (n, sum)| {

@@ -1,4 +1,4 @@
-//! A proof: steps that a reader can follow, each carried out, and whether all differences came out zero.
+//! A proof: steps that a reader can follow, each carried out.
 
 use super::calculus::Derivation;
 use super::constant_folding::folded;
@@ -14,14 +14,13 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
 
-/// The longest text of a step in characters: more than that nobody reads.
+/// In characters: more than that nobody reads.
 const LONGEST: usize = 1000;
 /// The longest normal form that stands beside another formula; twice as long it stands in a step by itself.
 const LINE: usize = 40;
-/// Before the normal form, behind what a step gives.
 pub(crate) const NORMAL: &str = "; in normal form: ";
 
-/// A very long formula up to the last whole term that is read, or its length if not even one is.
+/// Up to the last whole term that is read, or its length if not even one is.
 fn shortened(text: String) -> String {
     if text.chars().count() <= LONGEST {
         return text;
@@ -45,7 +44,6 @@ fn shortened(text: String) -> String {
     }
 }
 
-/// A formula as a reader sees it: without idle parts, and with one sign in a place.
 fn written(formula: Expr) -> String {
     let text = folded(formula, &|_| None).to_string();
     let text = text.replace('-', "−");
@@ -56,7 +54,7 @@ fn length(text: &str) -> usize {
     text.chars().count()
 }
 
-/// Whether two formulas are the same but for the order.
+/// Whether they are the same but for the order.
 fn alike(a: &str, b: &str) -> bool {
     let sorted = |text: &str| {
         let mut all: Vec<_> = text.chars().filter(|c| *c != ' ').collect();
@@ -66,7 +64,6 @@ fn alike(a: &str, b: &str) -> bool {
     sorted(a) == sorted(b)
 }
 
-/// Whether a sentence ends with a formula, has it before a comma, or is it.
 fn has_said(says: &str, formula: &str) -> bool {
     let plain = |text: &str| {
         let one = |c: char| match large(c, HIGH) {
@@ -139,9 +136,7 @@ pub struct Proof {
     title: String,
     steps: Vec<Step>,
     premises: Vec<Arc<Proof>>,
-    /// What has to be positive, beside what has to be for a premise.
     positive: BTreeSet<String>,
-    /// Whether it compares anything itself that is not so as it stands.
     compares: bool,
     obstacle: Option<Obstacle>,
 }
@@ -197,7 +192,7 @@ impl Proof {
         }
     }
 
-    /// Carries out steps that find something, for other proofs to start from; nothing is found where they fail.
+    /// Carries out steps that find something for other proofs; nothing where they fail.
     pub fn finding<T>(
         title: impl Into<String>,
         ring: Result<Ring, ExactError>,
@@ -211,7 +206,7 @@ impl Proof {
         (found, proof)
     }
 
-    /// A proof that cannot even start, because its ring cannot be set up.
+    /// A proof whose ring cannot be set up.
     pub fn impossible(title: impl Into<String>, error: ExactError) -> Self {
         Proof {
             title: title.into(),
@@ -223,7 +218,7 @@ impl Proof {
         }
     }
 
-    /// A proof that is carried out for either sign of something. What has to be positive in only one of them says which it is.
+    /// A proof carried out for either sign of something.
     pub fn for_both_signs(of: impl Fn(i64) -> Proof) -> Self {
         let first = of(1);
         if !first.holds() {
@@ -244,7 +239,7 @@ impl Proof {
         self.obstacle.is_none()
     }
 
-    /// Whether it compares anything itself that is not so as it stands, and does not rest on others alone.
+    /// Whether it compares anything itself, and does not rest on others alone.
     pub fn compares(&self) -> bool {
         self.compares
     }
@@ -259,7 +254,7 @@ impl Proof {
         &self.steps
     }
 
-    /// What has to be positive for all that is shown, in plain text.
+    /// What has to be positive for all that is shown.
     pub fn positive(&self) -> BTreeSet<&str> {
         let premises = self.premises.iter().flat_map(|premise| premise.positive());
         premises
@@ -267,7 +262,6 @@ impl Proof {
             .collect()
     }
 
-    /// The step by which another proof rests on it.
     fn as_step(&self) -> Step {
         Step {
             says: "Shown before".into(),
@@ -281,7 +275,7 @@ impl Proof {
         self.as_step().to_string()
     }
 
-    /// The proofs that it rests on, each after those that it rests on itself.
+    /// The proofs that it rests on, each after its own.
     pub fn premises(&self) -> Vec<&Proof> {
         let mut known = BTreeSet::new();
         let mut all: Vec<&Proof> = Vec::new();
@@ -312,12 +306,10 @@ impl fmt::Display for Proof {
 pub struct Prover<'a> {
     ring: &'a Ring,
     steps: Vec<Step>,
-    /// Elements, with the step that brought each and the formula that was read for it, if any was.
+    /// With the step that brought each and the formula that was read for it, if any was.
     brought: Vec<(usize, Rational, Option<String>)>,
-    /// Whether the last of these has not been compared yet.
     bare: bool,
     premises: Vec<Arc<Proof>>,
-    /// Whether anything was compared that is not so as it stands.
     compared: bool,
 }
 
@@ -327,7 +319,7 @@ impl<'a> Prover<'a> {
         self.ring
     }
 
-    /// Writes down a remark: an assumption, the meaning of a symbol, or a result, of which a very long one is shortened.
+    /// Writes down an assumption or a result, shortened if very long.
     pub fn note(&mut self, says: &str, gives: impl Into<String>) {
         self.write(says, gives.into(), String::new());
     }
@@ -346,14 +338,11 @@ impl<'a> Prover<'a> {
         self.note(says, "");
     }
 
-    /// Writes down what is shown, with its conditions, where the title does not say it all: the page of lemmas has it before
-    /// the fold.
+    /// Writes down what is shown, for the page of lemmas, where the title does not say it all.
     pub fn shows(&mut self, says: &str) {
         self.note("To be shown", says);
     }
 
-    /// Writes down an element by the formula from which it was read, if there is one, and by its normal form where that is
-    /// shorter.
     fn bring(&mut self, says: &str, formula: Option<Expr>, x: &Rational) {
         let normal = self.ring.text(x);
         let formula = formula.map(written);
@@ -472,7 +461,7 @@ impl<'a> Prover<'a> {
         Ok(quotient)
     }
 
-    /// Demands that two elements are equal, as a sentence says. That a number is itself, or a formula, is no step.
+    /// Demands that two elements are equal, as a sentence says; what is so as it stands is no step.
     ///
     /// # Errors
     /// [`Obstacle::NotZero`] with the difference, if they are not.
@@ -483,7 +472,7 @@ impl<'a> Prover<'a> {
         Ok(())
     }
 
-    /// Demands that an element is what a formula says, which it reads and writes beside it, with what is to be seen of it.
+    /// Demands that an element is what a formula says; it is written beside it, with what is to be seen.
     ///
     /// # Errors
     /// As [`read`](Self::read) and [`equal`](Self::equal).
@@ -516,7 +505,7 @@ impl<'a> Prover<'a> {
         Ok(())
     }
 
-    /// Demands that two elements are equal; whether they look different.
+    /// Says whether they look different.
     fn compare(&mut self, says: &str, x: &Rational, y: &Rational) -> Result<bool, Obstacle> {
         let difference = x - y;
         let is_zero = self.ring.is_zero(&difference)?;
@@ -533,7 +522,7 @@ impl<'a> Prover<'a> {
         })
     }
 
-    /// Demands that an element keeps its value along a motion: that it changes with the state, and its rate is zero.
+    /// Demands that an element changes with the state and keeps its value along a motion.
     ///
     /// # Errors
     /// [`Obstacle::NotZero`] if it is not so.
@@ -553,7 +542,8 @@ impl<'a> Prover<'a> {
         self.zero("The rate", &rate)
     }
 
-    /// Demands that an element is positive by its form: a product of what is supposed to be, and of sums without a negative term.
+    /// Demands that an element is positive by its form: a product of supposed ones and of sums without a
+    /// negative term.
     ///
     /// # Errors
     /// [`Obstacle::NotPositive`] if it has another form.
@@ -677,7 +667,6 @@ mod tests {
         }
     }
 
-    /// By its sentence, or beside it; long in the ring's own form, it stands apart.
     #[test]
     fn a_formula_stands_there_once() {
         let mut ring = Ring::new();
@@ -706,7 +695,6 @@ mod tests {
         }
     }
 
-    /// The formula stands beside what it is compared with, in the step that brought this or in one more.
     #[test]
     fn what_is_the_same_is_one_step() {
         let mut ring = Ring::new();
@@ -742,7 +730,6 @@ mod tests {
         );
     }
 
-    /// In its steps; where one of them fails, nothing is proved.
     #[test]
     fn a_proof_names_all_that_it_rests_on() {
         let ring = Ring::new();

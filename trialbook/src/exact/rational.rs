@@ -1,8 +1,5 @@
-//! Rational functions in several generators over ℚ.
-//!
-//! A numerator over a product of factors. The factors are kept apart, as they came in, and each is cancelled
-//! by exact division wherever it divides the numerator: that keeps degrees low without a greatest common
-//! divisor of polynomials, and zero is zero, because it has the numerator 0.
+//! Rational functions in several generators over ℚ: a numerator over a product of factors, cancelled by exact
+//! division. That keeps degrees low without a greatest common divisor.
 
 use super::origin::Made;
 use super::polynomial::Polynomial;
@@ -12,16 +9,13 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// A rational function: numerator / (number × product of factors to positive powers).
 ///
-/// Division is not an operator here: whether a divisor is zero is known to the
-/// [`Ring`](super::ring::Ring), which knows the relations among the generators.
+/// No operator divides: the [`Ring`](super::ring::Ring) knows whether a divisor is zero.
 #[derive(Debug, Clone)]
 pub struct Rational {
     numerator: Polynomial,
-    /// Positive, without a common divisor with the numerator's content.
     number: IBig,
     /// Not constant, primitive, leading coefficient positive, powers at least 1.
     factors: Vec<(Polynomial, u32)>,
-    /// How it was formed, where a proof is recorded.
     made: Made,
 }
 
@@ -46,28 +40,25 @@ impl Rational {
         &self.factors
     }
 
-    /// How it was formed.
     pub(super) fn made(&self) -> Made {
         self.made
     }
 
-    /// The same, made so.
     pub(super) fn made_so(self, made: Made) -> Self {
         Rational { made, ..self }
     }
 
-    /// The same, formed of others.
     pub(super) fn formed(self) -> Self {
         self.made_so(Made::Formed)
     }
 
-    /// Whether both are written alike, however they were formed.
+    /// However both were formed.
     pub(super) fn is_written_as(&self, other: &Rational) -> bool {
         (&self.numerator, &self.number, &self.factors)
             == (&other.numerator, &other.number, &other.factors)
     }
 
-    /// True if the numerator is 0. Says nothing about relations among generators.
+    /// The numerator is 0; says nothing about relations among generators.
     pub fn is_literally_zero(&self) -> bool {
         self.numerator.is_zero()
     }
@@ -78,7 +69,7 @@ impl Rational {
         whole.then(|| self.numerator.as_constant()).flatten()
     }
 
-    /// The root of degree `n`, if this is a quotient of whole numbers up to 10⁶ that have whole roots.
+    /// If this is a quotient of whole numbers up to 10⁶ that have whole roots.
     pub(super) fn whole_root(&self, n: u32) -> Option<Self> {
         let root = |x: &IBig| {
             let x = i64::try_from(x.clone())
@@ -92,7 +83,7 @@ impl Rational {
         Some(&root(&self.numerator.as_constant()?)? * &root(below)?.reciprocal()?)
     }
 
-    /// The coefficient of each generator as a multiple of 1/2, if this is a sum of such multiples.
+    /// The coefficient of each generator, if this is a sum of multiples of 1/2 of them.
     pub fn as_halves(&self) -> Option<Vec<(usize, i64)>> {
         let twice = self + self;
         if !twice.factors.is_empty() || twice.number != IBig::ONE {
@@ -118,7 +109,7 @@ impl Rational {
         (0..n).fold(Self::int(1), |power, _| &power * self)
     }
 
-    /// One over it, without asking whether it is zero by a relation; `None` where the numerator is 0.
+    /// Does not ask whether it is zero by a relation; `None` where the numerator is 0.
     pub(super) fn reciprocal(&self) -> Option<Self> {
         let rest = &self.numerator;
         if rest.is_zero() {
@@ -145,7 +136,6 @@ impl Rational {
         Some(Self::cancelled(numerator, content, factors))
     }
 
-    /// One over all that stands below the line.
     pub(super) fn denominator_inverse(&self) -> Self {
         Rational {
             numerator: Polynomial::one(),
@@ -154,7 +144,6 @@ impl Rational {
         }
     }
 
-    /// One over the number below the line.
     pub(super) fn number_inverse(&self) -> Self {
         Rational {
             factors: Vec::new(),
@@ -175,7 +164,6 @@ impl Rational {
         count(&self.numerator) - below.sum::<i64>()
     }
 
-    /// What is common above and below the line is divided out.
     fn cancelled(
         mut numerator: Polynomial,
         mut number: IBig,
@@ -213,7 +201,7 @@ impl Rational {
         }
     }
 
-    /// The value where generator `g` has the value `at[g]`, in floating point: for tests against numbers.
+    /// The value where generator `g` is `at[g]`, in floating point, for tests.
     #[cfg(test)]
     pub fn value(&self, at: &[f64]) -> f64 {
         let below = self

@@ -7,11 +7,9 @@ use super::rational::Rational;
 use super::ring::{PI, Ring};
 use dashu_int::IBig;
 
-/// The largest whole exponent that is multiplied out.
+/// Larger ones are not multiplied out.
 const LARGEST_POWER: i64 = 64;
-/// The most halves of an angle or argument that a function may have.
 const MOST_HALVES: i64 = 32;
-/// The most whole multiples of a declared exponent that are looked for.
 const MOST_MULTIPLES: i64 = 8;
 
 impl Ring {
@@ -150,8 +148,8 @@ impl Ring {
         Ok(self.normal(&base.pow(size)))
     }
 
-    /// base^exponent: whole powers by multiplication; others n e + m, with a declared exponent e and whole n
-    /// and m, where the base is a product of bases that are declared with e.
+    /// Whole powers by multiplication; others n e + m, with a declared exponent e and whole n and m, where
+    /// the base is a product of bases declared with e.
     pub(super) fn raise(
         &self,
         base: &Rational,
@@ -192,8 +190,8 @@ impl Ring {
         Err(error())
     }
 
-    /// base^e, if the base is a product of whole powers of the bases declared with this e; and, if e is 1/n, of a number
-    /// that has a root of degree n, or has one over a declared number.
+    /// If the base is a product of whole powers of bases declared with e; if e is 1/n, also of a number with
+    /// a root of degree n, or with one over a declared number.
     fn known_product(&self, base: &Rational, e: &Rational) -> Result<Option<Rational>, ExactError> {
         let mut rest = base.clone();
         let mut product = Rational::int(1);
@@ -228,7 +226,6 @@ impl Ring {
         Ok(complete.then_some(product))
     }
 
-    /// The logarithm, if it is of a product of whole powers of declared bases.
     pub(super) fn ln(&self, of: &Rational) -> Result<Rational, ExactError> {
         let mut rest = of.clone();
         let mut sum = Rational::int(0);

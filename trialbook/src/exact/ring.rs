@@ -32,7 +32,6 @@ pub(super) enum Rule {
     Logarithm { of: Rational },
 }
 
-/// base^exponent = value.
 #[derive(Debug, Clone)]
 pub(super) struct KnownPower {
     pub base: Rational,
@@ -42,7 +41,6 @@ pub(super) struct KnownPower {
     pub value: Rational,
 }
 
-/// ln base = value.
 #[derive(Debug, Clone)]
 pub(super) struct KnownLogarithm {
     pub base: Rational,
@@ -58,7 +56,7 @@ pub(super) struct KnownInverse {
     pub angle: Rational,
 }
 
-/// A differential ring over ℚ, with π as a constant of its own.
+/// A differential ring over ℚ(π).
 #[derive(Debug, Clone)]
 pub struct Ring {
     pub(super) names: Vec<String>,
@@ -140,8 +138,8 @@ impl Ring {
         Ok(())
     }
 
-    /// Declares an angle, with the tangent and the cosine of its half; of a name that stands for something
-    /// else, returns that.
+    /// Declares an angle, with the tangent and the cosine of its half; a name that is taken keeps what it
+    /// stands for.
     pub fn angle(&mut self, name: &'static str) -> Rational {
         let angle = self.symbol(name);
         let Ok(index) = self.free_index(name) else {
@@ -176,8 +174,8 @@ impl Ring {
             .ok_or_else(|| ExactError::UnknownSymbol(angle.into()))
     }
 
-    /// Declares an argument of hyperbolic functions, with the exponential of its half; of a name that stands
-    /// for something else, returns that.
+    /// Declares an argument of hyperbolic functions, with the exponential of its half; a name that is taken
+    /// keeps what it stands for.
     pub fn hyperbolic(&mut self, name: &'static str) -> Rational {
         let argument = self.symbol(name);
         let Ok(index) = self.free_index(name) else {
@@ -208,8 +206,8 @@ impl Ring {
         Ok(value)
     }
 
-    /// Declares the positive root of this degree of a positive radicand, which may be a number; returns it.
-    /// The radicand must have no root in the ring as it is.
+    /// Declares the positive root of this degree of a positive radicand, which may be a number and has no
+    /// root in the ring as it is.
     ///
     /// # Errors
     /// [`ExactError::BadDeclaration`] for degree 0, the radicand 0, and a product of powers of that degree.
@@ -254,12 +252,12 @@ impl Ring {
         Ok(())
     }
 
-    /// Supposes that an element is positive: what is shown is shown where it is, and says so.
+    /// Supposes that an element is positive; what is shown says so.
     pub fn suppose_positive(&mut self, x: Rational) {
         self.supposed.push(x);
     }
 
-    /// Whether an element is positive by its form: a product of what is supposed to be and of sums that have no negative term.
+    /// By its form: a product of what is supposed to be and of sums that have no negative term.
     pub(super) fn is_positive(&self, x: &Rational) -> Result<bool, ExactError> {
         let mut rest = self.normal(x);
         for of in &self.supposed {
@@ -290,10 +288,8 @@ impl Ring {
         !x.is_literally_zero() && of(x.numerator()) && below.all(|(f, k)| k % 2 == 0 || of(f))
     }
 
-    /// What has to be positive for all that is proved: what powers and logarithms are declared of, and roots that are not
-    /// those of a sum; what is said to be a root; how far angles that are said to be arcsines or arccosines are from the
-    /// ends of their ranges; and what is supposed. An angle that is there to name another symbol by its sine or cosine is
-    /// within the range because it is chosen so.
+    /// What has to be positive for all that is proved. An angle that is there to name another symbol by its
+    /// sine or cosine is within the range because it is chosen so.
     pub(super) fn positive(&self) -> BTreeSet<String> {
         let base = |rule: &Rule| match rule {
             Rule::Power { base, .. } | Rule::Logarithm { of: base } => Some(self.text(base)),
@@ -333,7 +329,6 @@ impl Ring {
         all.filter(varies).collect()
     }
 
-    /// An element's text, in parentheses unless it is a single name.
     fn operand(&self, x: &Rational) -> String {
         let text = self.text(x);
         if text.contains([' ', '^', '−']) || text.contains('/') && !text.ends_with(')') {
@@ -374,7 +369,7 @@ impl Ring {
         Ok(value)
     }
 
-    /// Lets arcsin (`Function::Asin`) or arccos (`Function::Acos`) of an element be a declared angle.
+    /// Lets arcsin (`Function::Asin`) or arccos (`Function::Acos`) of an element be an angle.
     ///
     /// # Errors
     /// [`ExactError::BadDeclaration`] if the sine or cosine of the angle is not the element.

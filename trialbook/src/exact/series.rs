@@ -1,7 +1,5 @@
-//! Series in powers of one small quantity x, known up to some order.
-//!
-//! x^start (c₀ + c₁ x + … + cₙ xⁿ) + O(x^(start+n+1)), with coefficients in a [`Ring`]. They may hold a quantity that
-//! moves with x, such as ln x or a power of it: [`Series::euler`] takes x d/dx of them too.
+//! Series in powers of one small quantity x, known up to some order: x^start (c₀ + c₁ x + … + cₙ xⁿ) +
+//! O(x^(start+n+1)), with coefficients in a [`Ring`].
 
 use super::calculus::Derivation;
 use super::error::ExactError;
@@ -16,7 +14,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// The series of these coefficients, from that of x^`start` on; nothing is known beyond the last.
+    /// The series of these coefficients, from that of x^`start` on.
     pub fn new(start: i64, coefficients: Vec<Rational>) -> Self {
         Series {
             start,
@@ -24,7 +22,7 @@ impl Series {
         }
     }
 
-    /// An element that does not depend on x, up to the order `order`.
+    /// An element free of x, up to the order `order`.
     pub fn constant(value: Rational, order: i64) -> Self {
         Self::monomial(value, 0, order)
     }
@@ -52,7 +50,6 @@ impl Series {
         Series::new(self.start * n as i64, coefficients)
     }
 
-    /// Each coefficient by a function of its power and of itself.
     pub(super) fn mapped(self, f: impl Fn(i64, Rational) -> Rational) -> Self {
         let powers = self.start..;
         let mapped = powers.zip(self.coefficients).map(|(power, c)| f(power, c));
@@ -135,7 +132,7 @@ impl Series {
         Ok(Series::new(self.start - other.start, quotient))
     }
 
-    /// A power of the series, whole or not; of c x^k + … it needs (c)^exponent in the ring and k × exponent whole.
+    /// A power of the series, whole or not; c x^k + … needs (c)^exponent in the ring and k × exponent whole.
     ///
     /// # Errors
     /// As [`Ring::read`] for that power; [`ExactError::NoSeries`] where powers of x would not be whole.
@@ -184,7 +181,7 @@ impl Series {
         Ok(Series::new(self.start, mapped?))
     }
 
-    /// Plain text: the terms that are not zero, and the order of what is left out.
+    /// The terms that are not zero, and the order of what is left out.
     pub fn text(&self, small: &str, ring: &Ring) -> String {
         let power = |k: i64| match k {
             0 => String::new(),
@@ -218,7 +215,6 @@ impl Series {
         Ok(self)
     }
 
-    /// The part free of x and the rest, for functions that are expanded about that part.
     pub(super) fn split(&self, ring: &Ring) -> Result<(Rational, Vec<Rational>), ExactError> {
         for power in self.start..0 {
             if !ring.is_zero(&self.coefficient(power).unwrap_or(Rational::int(0)))? {

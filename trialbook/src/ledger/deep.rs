@@ -1,4 +1,4 @@
-//! Depth: the same trials at other random points, round after round, and one judgement of all together.
+//! Depth: the same trials at other random points, round after round, judged together.
 
 use super::{Entry, Ledger};
 use crate::evidence::Evidence;
@@ -9,7 +9,7 @@ use std::fmt::Write;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DeepError {
-    /// A line that is not a trial, points, how many of them disagree, the largest disagreement and where it was.
+    /// A line that is not a trial, points, how many disagree, the largest disagreement and where.
     #[error("what a round has brought, line {line}: expected five columns, found `{text}`")]
     Line {
         /// Number of the line, from 1.
@@ -47,7 +47,7 @@ pub enum DeepError {
     Unfinished(u32),
 }
 
-/// A line of a round: of which trial, by its key, how many points, at how many it disagrees, the largest disagreement, and where.
+/// Key, points, how many disagree, the largest disagreement, and where.
 struct Brought<'a> {
     key: &'a str,
     points: usize,
@@ -73,7 +73,6 @@ impl<'a> Brought<'a> {
 }
 
 impl Evidence {
-    /// Takes in what the same trial has brought at other points.
     fn take(&mut self, other: &Brought<'_>) {
         // No number is worse than any, and any is worse than nothing.
         if self.points == 0 || other.worst > self.worst || other.worst.is_nan() {
@@ -91,7 +90,7 @@ impl Entry {
 }
 
 impl Ledger {
-    /// What this round has brought: a line a measured trial, for [`Ledger::with`].
+    /// What this round has brought, a line a trial, for [`Ledger::with`].
     pub fn round(&self) -> String {
         let mut text = String::new();
         for entry in &self.entries {
@@ -142,7 +141,7 @@ impl Ledger {
         &mut self.entries[entry].evidence[trial]
     }
 
-    /// The record of this run, of so many rounds, made when and of what the words say, for [`Deep::read`].
+    /// The record of this run for [`Deep::read`], of so many rounds, and when it was made.
     pub fn record(&self, made: &str, rounds: u32) -> String {
         let measured = self.evidence().filter(|e| !e.route.is_proof());
         let points: usize = measured.map(|e| e.points).sum();
@@ -169,8 +168,7 @@ impl Ledger {
     }
 }
 
-/// A deep run as it is kept beside the verdicts. It is as of a commit: a trial that has come since has no line, and a line may be of a
-/// trial that is gone.
+/// A deep run as kept beside the verdicts, as of a commit: trials may have come since, or gone.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Deep<'a> {
     /// Of which commit it was made, and when.
@@ -198,8 +196,7 @@ impl<'a> Deep<'a> {
         })
     }
 
-    /// The ledger with what this run has brought in place of its own measurements, judged anew. Lines that are of no trial of
-    /// the ledger are left out, and a trial without a line has no points.
+    /// The ledger with what this run has brought instead, judged anew; lines of no trial are left out.
     pub fn in_place_of(&self, ledger: &Ledger) -> Ledger {
         let mut deep = ledger.unmeasured();
         for brought in self.brought.lines().filter_map(Brought::read) {
@@ -211,7 +208,7 @@ impl<'a> Deep<'a> {
     }
 }
 
-/// What the rounds of a deep run have brought, read from the parts that many jobs have made.
+/// What the rounds of a deep run have brought, read in parts.
 #[derive(Debug, Default)]
 pub struct Rounds(BTreeMap<u32, String>);
 
@@ -219,11 +216,10 @@ fn key(line: &str) -> &str {
     line.split('\t').next().unwrap_or_default()
 }
 
-/// What goes before the number of a round.
 const HEAD: &str = "round\t";
 
 impl Rounds {
-    /// What a round has brought, with its number before it, for [`Rounds::read`].
+    /// What a round has brought, with its number, for [`Rounds::read`].
     pub fn headed(number: u32, brought: &str) -> String {
         format!("{HEAD}{number}\n{brought}")
     }
@@ -255,8 +251,7 @@ impl Rounds {
         Ok(())
     }
 
-    /// The ledger with what these rounds have brought in place of its own measurements, judged anew: as one run of so many
-    /// rounds would have it.
+    /// The ledger with what these rounds have brought instead, judged anew.
     ///
     /// # Errors
     /// [`DeepError::Missing`], [`DeepError::Beyond`] and [`DeepError::Unfinished`] where these are not all rounds and no others,
@@ -302,7 +297,6 @@ mod tests {
             rounds.read(&Rounds::headed(0, brought)).unwrap();
             rounds.in_place_of(&ledger, 1)
         };
-        // Sixteen trials of twenty points, in any order.
         let backwards: String = lines.iter().rev().copied().collect();
         for brought in [&all, &backwards] {
             let deep = joined(brought).unwrap();
@@ -323,7 +317,6 @@ mod tests {
         }
     }
 
-    /// One comparison that disagrees in a later round is worth as much as one in the first, by whichever way it comes in.
     #[test]
     fn what_a_round_brings_is_judged() {
         let ledger = example::ledger();

@@ -1,5 +1,5 @@
-//! Trials held against the mistakes that can be seeded in what they read: each has to notice, and what it finds without
-//! the paper has to stay where it is.
+//! Trials held against mistakes seeded in what they read: each has to notice, and what it finds without the
+//! paper has to stay.
 
 use super::{Entry, Key, Ledger, parallel};
 use crate::evidence::{Evidence, Outcome, Subject};
@@ -24,7 +24,6 @@ pub struct Reaction {
 }
 
 impl Reaction {
-    /// What a mistake has changed in the evidence of a trial.
     fn between(before: &Evidence, after: &Evidence) -> Self {
         let measured = !after.route.is_proof();
         let found = |e: &Evidence| (e.sides.found, e.points);
@@ -78,22 +77,22 @@ impl Tried {
         self.reactions.iter().map(|(_, r)| r.failed).sum()
     }
 
-    /// The first variant that changes what it finds, or in what units it compares.
+    /// The first variant that changes what it finds, or its units.
     pub fn leans_on(&self) -> Option<usize> {
         let first = self.reactions.iter().find(|(_, r)| r.leans());
         first.map(|(variant, _)| *variant)
     }
 }
 
-/// True for evidence that agrees. Where it is about what a condition excepts, it may be about a set of motions, whatever a formula
-/// says of it; but where it reads one, that has no value there, another one has.
+/// What a condition excepts may be about a set of motions, whatever a formula says of it; but where it reads
+/// one, that has no value there, another one has.
 fn has_to_notice(evidence: &Evidence) -> bool {
     let is_a_set = evidence.subject == Subject::Excepted && evidence.read.is_empty();
     evidence.outcome() == Outcome::Agrees && !is_a_set
 }
 
 impl Entry {
-    /// What the trial of this number does with the mistake; all that it does has to stay on this thread.
+    /// All that the trial does has to stay on this thread.
     pub(super) fn reaction(&self, trial: usize, seed: Seed) -> Reaction {
         let before = &self.evidence[trial];
         let after = seeded::with(seed, || self.claim.trials[trial].evidence());
@@ -110,7 +109,7 @@ fn by_formula(variants: &[Variant]) -> BTreeMap<&str, Vec<usize>> {
 }
 
 impl Ledger {
-    /// How often [`Ledger::distrust`] puts a mistake to a trial, with [`Extent::Every`].
+    /// How often [`Ledger::distrust`] puts a mistake to a trial.
     pub fn mistakes_put(&self) -> usize {
         let variants = self.paper.formulas.variants();
         let of_formula = by_formula(&variants);
@@ -120,7 +119,7 @@ impl Ledger {
             .sum()
     }
 
-    /// What every trial does when mistakes are seeded in the formulas that it reads. `done` is called after each trial.
+    /// What every trial does when mistakes are seeded in what it reads. `done` is called after each trial.
     pub fn distrust(
         &self,
         variants: &[Variant],
@@ -148,8 +147,7 @@ impl Ledger {
         })
     }
 
-    /// The measurements of which what they find, or in what units they compare, moves with a mistake in a formula, with their names
-    /// and that formula: the first mistake that they see at all.
+    /// The measurements whose findings or units move with a mistake in a formula, with that formula.
     pub fn leaning(&self) -> Vec<(Key, &'static str, &'static str)> {
         let variants = self.paper.formulas.variants();
         let of_formula = by_formula(&variants);

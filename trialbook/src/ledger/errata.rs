@@ -28,14 +28,14 @@ pub struct Erratum {
     pub wrong: String,
     /// Why; formulas in `$…$`. Empty where nobody says so.
     pub reason: String,
-    /// A case that can be checked on paper, with its numbers; formulas in `$…$`.
+    /// A case to check on paper; formulas in `$…$`.
     pub case: Option<String>,
-    /// What was compared, and what came of it; an item a trial, formulas in `$…$`.
+    /// What was compared, and what came of it, a trial each; formulas in `$…$`.
     pub evidence: Vec<String>,
-    /// Ids of the claims from which its error comes: those that it is derived from and that fail themselves, unless the
+    /// Ids of the claims from which its error comes: those that it is derived from and that fail, unless the
     /// step from them fails too.
     pub inherits: Vec<&'static str>,
-    /// Ids of all claims that rest on this one, directly or not, and have their error from others.
+    /// All claims that rest on this one, directly or not, and have their error from others.
     pub fallen: Vec<&'static str>,
     /// Ids of all that rest on it, directly or not, and stand.
     pub standing: Vec<&'static str>,
@@ -59,7 +59,7 @@ pub enum ErrataError {
 }
 
 impl Ledger {
-    /// Ids of all claims that rest on a claim, directly or through others, in the ledger's order.
+    /// All claims that rest on a claim, directly or not, in the ledger's order.
     pub fn resting_on(&self, id: &str) -> Vec<&'static str> {
         let mut found = BTreeSet::from([id]);
         loop {
@@ -88,8 +88,7 @@ impl Ledger {
         wrong.map(|entry| self.erratum(entry)).collect()
     }
 
-    /// Of the claims that rest on this one, those that have their error from others, and those that stand. What is wrong by
-    /// an error of its own is neither.
+    /// The claims resting on this one that have their error from others, and those that stand.
     pub fn fallen_and_standing(&self, id: &str) -> [Vec<&'static str>; 2] {
         let resting = self.resting_on(id).into_iter();
         let (wrong, standing): (Vec<_>, Vec<_>) = resting.partition(|id| self.is_wrong(id));
@@ -103,7 +102,6 @@ impl Ledger {
         entry.is_some_and(|e| e.judgement.verdict.is_wrong())
     }
 
-    /// Ids of the claims from which the error of a wrong claim comes, as [`Erratum::inherits`].
     fn inherits(&self, entry: &Entry) -> Vec<&'static str> {
         let fails = |e: &Evidence| e.subject == Subject::Step && e.outcome() == Outcome::Disagrees;
         if entry.evidence.iter().any(fails) {
@@ -126,8 +124,8 @@ impl Ledger {
         entries.filter(move |e| own(e.judgement.verdict) && self.inherits(e).is_empty())
     }
 
-    /// The errors of their own by weight: in how many topics a result does not hold, and how many formulas have lost a factor,
-    /// a sign or a symbol that others inherit.
+    /// The errors of their own by weight: topics in which a result fails, and formulas without a factor, a
+    /// sign or a symbol that others inherit.
     pub fn weights(&self) -> [usize; 2] {
         let change = |e: &&Entry| e.claim.correction.map(|c| c.change);
         let (results, slips): (Vec<_>, Vec<_>) = self
@@ -137,7 +135,7 @@ impl Ledger {
         [topics.len(), slips.len()]
     }
 
-    /// How many wrong claims have an error of their own, and how many have it from others; misprints are not among them.
+    /// How many wrong claims, misprints aside, have an error of their own, and how many have it from others.
     pub fn roots_and_heirs(&self) -> [usize; 2] {
         let roots = self.roots().count();
         let misprints = self.counts()[&Verdict::Misprint];
@@ -187,7 +185,6 @@ impl Ledger {
     }
 }
 
-/// A statement with its formulas in `$…$`.
 pub(super) fn statement(latex: &str, equation: Option<u16>) -> String {
     match equation {
         Some(_) if !latex.contains('$') => format!("${latex}$"),
@@ -195,8 +192,8 @@ pub(super) fn statement(latex: &str, equation: Option<u16>) -> String {
     }
 }
 
-/// What should be printed: the correction, or what is printed with the missing conditions, or what follows from those
-/// whose error it inherits.
+/// The correction, or what is printed with the missing conditions, or what follows from those whose error it
+/// inherits.
 fn new_text(entry: &Entry, inherits: &[String]) -> String {
     let claim = entry.claim;
     let missing = entry.missing();
@@ -217,7 +214,6 @@ fn new_text(entry: &Entry, inherits: &[String]) -> String {
     }
 }
 
-/// Why a condition is needed: what happens without it; empty where nothing does.
 fn reason_of_condition(entry: &Entry) -> String {
     let outside = |e: &&Evidence| e.subject == Subject::Outside;
     let outside = entry.evidence.iter().filter(outside);
@@ -230,7 +226,6 @@ fn reason_of_condition(entry: &Entry) -> String {
     }
 }
 
-/// A trial in sentences.
 fn said(e: &Evidence, conditional: bool) -> String {
     if let Some(recorded) = &e.recorded {
         return recorded.clone();

@@ -50,7 +50,6 @@ pub(crate) static PAPER: Paper = Paper {
     ..Paper::BLANK
 };
 
-/// Claims that are derived from each other in a chain, of which the first fails.
 pub(crate) static CHAIN: Topic = Topic::new(
     "heirs",
     "Heirs",

@@ -1,11 +1,11 @@
-//! What a trial is called wherever something is recorded of it: its function may be renamed, or move to another file.
+//! What a trial is called in records: its function may be renamed, or move.
 
 use super::{Entry, Ledger};
 use crate::evidence::{Evidence, Route, Subject};
 use std::fmt;
 
-/// A trial by its claim, its route, its subject, and its number among those of the same three, counted from 1. It is written
-/// `eq-13 integration within 2`.
+/// A trial by its claim, route, subject, and number among those of the same three, from 1: `eq-13 integration
+/// within 2`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Key {
     /// The id of the claim.
@@ -50,7 +50,7 @@ impl Entry {
 }
 
 impl Ledger {
-    /// The numbers of the entry and of the trial whose key is written so.
+    /// The numbers of the entry and of the trial of this key.
     pub fn position(&self, key: &str) -> Option<(usize, usize)> {
         let (claim, _) = key.split_once(' ')?;
         let entry = self.entries.iter().position(|e| e.claim.id == claim)?;

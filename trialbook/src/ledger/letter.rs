@@ -21,7 +21,8 @@ impl Format {
         }
     }
 
-    /// What is sent, with who sends it, name, affiliation and address parted by slashes, and where the program can be found.
+    /// What is sent, with the sender (name, affiliation and address parted by slashes) and the program's
+    /// place.
     pub fn signed(self, mut sent: String, from: Option<&str>, code: Option<&str>) -> String {
         let from = from.map(|from| from.replace('/', ", "));
         for (blank, words) in [(SENDER, from.as_deref()), (CODE, code)] {
@@ -37,14 +38,16 @@ impl Format {
 }
 
 impl Ledger {
-    /// The paper's [letter](Paper::letter), with what its placeholders ask for. A paper without one is sent its errata, without trials.
+    /// The paper's [letter](Paper::letter), with what its placeholders ask for. A paper without one is sent
+    /// its errata, without trials.
     ///
-    /// In the letter a paragraph is a line of words with formulas in `$…$`, a heading begins with `# `. `[words](#id)` names a
-    /// claim that has to be changed. `{{right eq-13}}` is what should stand there, with its number on a line of its own;
-    /// `{{stated eq-13}}` and `{{found eq-13}}` are the numbers of its case by hand; `{{value lambda-c 3}}` is a number of the
-    /// paper with three decimals; `{{count numbered}}`, `{{count others}}` and `{{count standing}}` count equations, other
-    /// statements, and what need not be changed, `{{count proved}}` and its kin how many are known in that way; `{{refuted}}` is what
-    /// theorems refute; `{{reference}}` is where the paper can be found.
+    /// In the letter a paragraph is a line, a heading begins with `# `, formulas stand in `$…$`.
+    /// `[words](#id)` names a claim to change; `{{right eq-13}}` is what should stand there, numbered, on a
+    /// line of its own; `{{stated eq-13}}` and `{{found eq-13}}` are the numbers of its case by hand;
+    /// `{{value lambda-c 3}}` is a number of the paper to three decimals; `{{count numbered}}`, `{{count
+    /// others}}` and `{{count standing}}` count equations, other statements, and what need not change,
+    /// `{{count proved}}` and its kin what is known in that way; `{{refuted}}` is what theorems refute;
+    /// `{{reference}}` is where the paper is.
     ///
     /// # Errors
     /// As [`Ledger::errata`], and [`ErrataError::Letter`] if a placeholder asks for what there is not.
@@ -55,7 +58,7 @@ impl Ledger {
         }
     }
 
-    /// What stands behind the letter: every claim that has to be changed, with all its trials.
+    /// Every claim that has to be changed, with all its trials.
     ///
     /// # Errors
     /// As [`Ledger::errata`].
@@ -83,7 +86,6 @@ impl Ledger {
         Ok(text + style.closing(COMMENT))
     }
 
-    /// A line of the letter with its placeholders filled.
     fn filled(&self, errata: &[Erratum], line: &str) -> Result<String, ErrataError> {
         let mut parts = line.split("{{");
         let mut out = parts.next().unwrap_or_default().to_owned();
@@ -142,7 +144,6 @@ impl Ledger {
         }
     }
 
-    /// What a theorem `…__printed` refutes: equations by their numbers, other statements by how many they are.
     fn refuted(&self, errata: &[Erratum]) -> String {
         let known = self.paper.known_theorems();
         let refuted = errata
@@ -171,7 +172,6 @@ impl Ledger {
         }
     }
 
-    /// The errata one by one; with their trials, unless it is a comment.
     fn list(&self, errata: &[Erratum], style: &dyn Style, what: &str) -> String {
         let mut text = style.opening(self.paper, what);
         for (title, wrong) in [("Corrections", true), ("Conditions to be stated", false)] {
@@ -211,16 +211,14 @@ fn fault(says: String) -> ErrataError {
     ErrataError::Letter(says)
 }
 
-/// Stand for what [`Format::signed`] brings.
 const SENDER: &str = "[name, affiliation and address]";
 const CODE: &str = "[address of the code]";
 
-/// Whether a formula is too long for a line of a column, or for standing beside its number with its words.
+/// For a line of a column, or for standing beside its number with its words.
 fn is_long(latex: &str) -> bool {
     plain_formula(latex).chars().count() > 48
 }
 
-/// The parts of an item that stand in one paragraph, in LaTeX.
 const RUN_IN: [&str; 3] = ["Printed", "Said", "Reason"];
 
 const COMMENT: &str = "Comment on";
@@ -229,7 +227,6 @@ trait Style {
     fn opening(&self, paper: &Paper, what: &str) -> String;
     fn heading(&self, title: &str) -> String;
     fn paragraph(&self, words: &str) -> String;
-    /// An equation with its number, in the paragraph before it.
     fn numbered(&self, number: u16, latex: &str) -> String;
     fn title(&self, name: &str, erratum: &Erratum) -> String;
     fn entry(&self, label: &str, words: &str) -> String;
@@ -255,12 +252,11 @@ trait Style {
     }
 }
 
-/// Sentences with the full stop at their end.
 fn closed(words: &str) -> String {
     format!("{}.", words.trim_end_matches('.'))
 }
 
-/// What stands before a statement: a formula is printed, and what the paper says in words is given in ours.
+/// A formula is printed, what the paper says in words is given in ours.
 fn as_printed(erratum: &Erratum) -> &'static str {
     match erratum.equation {
         Some(_) => "Printed",
@@ -268,7 +264,6 @@ fn as_printed(erratum: &Erratum) -> &'static str {
     }
 }
 
-/// What a claim is about, behind its name; nothing where that says it already.
 fn about(name: &str, erratum: &Erratum) -> String {
     match name == erratum.title {
         true => String::new(),
@@ -276,7 +271,6 @@ fn about(name: &str, erratum: &Erratum) -> String {
     }
 }
 
-/// By whom a paper is, and where it can be found, as far as that is known.
 fn source(paper: &Paper) -> String {
     let by = match paper.authors {
         "" => String::new(),
@@ -289,7 +283,6 @@ fn source(paper: &Paper) -> String {
         .join(", ")
 }
 
-/// Plain text, 78 characters a line.
 struct Plain;
 
 impl Style for Plain {
@@ -326,7 +319,6 @@ impl Style for Plain {
     }
 }
 
-/// Lines of at most 78 characters, each after `indent` blanks.
 fn wrapped(words: &str, indent: usize) -> String {
     let mut text = String::new();
     let mut line = " ".repeat(indent);
@@ -342,7 +334,6 @@ fn wrapped(words: &str, indent: usize) -> String {
     text + line.trim_end() + "\n"
 }
 
-/// A LaTeX document.
 struct Latex;
 
 impl Style for Latex {
@@ -395,7 +386,6 @@ impl Style for Latex {
         )
     }
     fn entry(&self, label: &str, words: &str) -> String {
-        // The parts of an item are one paragraph.
         let end = if RUN_IN.contains(&label) { "" } else { "\n" };
         // A formula alone may be too wide for a line with its label.
         match alone(words) {
@@ -411,7 +401,6 @@ impl Style for Latex {
     }
 }
 
-/// The formula of words that are nothing else.
 fn alone(words: &str) -> Option<&str> {
     let formula = words.strip_prefix('$')?.strip_suffix('$')?;
     (!formula.contains('$')).then_some(formula)
@@ -421,7 +410,7 @@ fn displayed(formula: &str) -> String {
     format!("\\[\\fit{{{formula}}}\\]\n")
 }
 
-/// Words with formulas in `$…$`, for LaTeX: what stands outside the formulas becomes formulas where it must.
+/// What stands outside the formulas becomes formulas where it must.
 fn tex_words(words: &str) -> String {
     let parts = words.split('$').enumerate().map(|(i, part)| match i % 2 {
         0 => tex_plain(part),
@@ -431,7 +420,8 @@ fn tex_words(words: &str) -> String {
     parts.collect::<String>().replace("$$", " ")
 }
 
-/// A formula in which lines can break: not between `\left` and `\right`, nor in a fraction, which has a stroke if it is long.
+/// Lines can break, but not between `\left` and `\right`, nor in a fraction, which has a stroke if it is
+/// long.
 fn breakable(formula: &str) -> String {
     let formula = formula
         .replace(r"\left[", r"\bigl[")

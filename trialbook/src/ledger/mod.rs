@@ -58,30 +58,26 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// Where its box stands within the book.
     #[cfg(feature = "book")]
     pub(crate) fn address(&self) -> String {
         format!("{}.html#{}", self.topic.stem, self.claim.id)
     }
 
-    /// How many comparisons its trials made together.
     #[cfg(feature = "book")]
     pub(crate) fn points(&self) -> usize {
         self.evidence.iter().map(|e| e.points).sum()
     }
 
-    /// True for a claim that holds under a condition which the paper does not state.
+    /// It holds under a condition which the paper does not state.
     pub fn is_conditional(&self) -> bool {
         self.judgement.verdict.has_condition()
     }
 
-    /// The strongest route by which it holds what the verdict rests on: the whole of the claim, or of what is right
-    /// in its place. Proofs come before measurements.
+    /// The strongest route by which what the verdict rests on holds. Proofs come before measurements.
     pub fn strongest(&self) -> Option<Route> {
         self.whole().into_iter().map(|e| e.route).min()
     }
 
-    /// What agrees and is about the whole of what the verdict rests on; nothing for an undecided claim.
     fn whole(&self) -> Vec<&Evidence> {
         let (undecided, corrected) = match self.judgement.verdict {
             Verdict::Undecided => (true, false),
@@ -98,19 +94,19 @@ impl Entry {
             .collect()
     }
 
-    /// Of the measurements that agree, the one whose worst disagreement is closest to its tolerance.
+    /// Of the agreeing measurements, the one closest to its tolerance.
     pub fn closest(&self) -> Option<&Evidence> {
         let agrees = |e: &&Evidence| !e.route.is_proof() && e.outcome() == Outcome::Agrees;
         let measured = self.evidence.iter().filter(agrees);
         measured.max_by(|a, b| a.excess().total_cmp(&b.excess()))
     }
 
-    /// What its trials brought, as far as they were made and not read from the record.
+    /// What its trials brought, if not read from the record.
     pub fn made(&self) -> impl Iterator<Item = &Evidence> {
         self.evidence.iter().filter(|e| e.recorded.is_none())
     }
 
-    /// The largest disagreement that was measured inside the conditions, by its tolerance.
+    /// The largest disagreement inside the conditions, by its tolerance.
     pub fn worst(&self) -> Option<&Evidence> {
         self.made()
             .filter(|e| {
@@ -121,7 +117,6 @@ impl Entry {
 }
 
 impl Evidence {
-    /// The worst disagreement by its tolerance.
     fn excess(&self) -> f64 {
         match self.worst {
             // Where nothing may differ either, the quotient would be no number.
@@ -138,7 +133,7 @@ pub struct Ledger {
     pub paper: &'static Paper,
     /// One entry per claim.
     pub entries: Vec<Entry>,
-    /// Neighbours on which their verdicts may rest, tried with them and no part of the ledger; none where the paper is whole.
+    /// Neighbours on which their verdicts may rest, no part of the ledger.
     pub beside: Vec<Entry>,
 }
 
@@ -162,7 +157,6 @@ impl Ledger {
         self.evidence().map(|e| e.points).sum()
     }
 
-    /// What all trials have brought.
     pub(crate) fn evidence(&self) -> impl Iterator<Item = &Evidence> {
         self.entries.iter().flat_map(|entry| &entry.evidence)
     }
@@ -213,7 +207,6 @@ mod tests {
         assert_eq!(worst(&entry), Some((Subject::Within, 1e-300)));
     }
 
-    /// What is proved speaks for a claim only where the verdict rests on it.
     #[test]
     fn the_strongest_route_is_one_of_what_the_verdict_rests_on() {
         let strongest = |verdict, subjects: [Subject; 2]| {

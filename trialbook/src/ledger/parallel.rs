@@ -1,11 +1,10 @@
-//! Work that has to stay on one thread, such as a trial while a mistake is seeded, on all threads that there are.
+//! Work that has to stay on one thread, on all threads that there are.
 
 use crate::stop;
 use rayon::ThreadPoolBuilder;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{available_parallelism, scope};
 
-/// What `work` gives for each number below `count`, in order; of some, if it is [stopped](stop).
 pub(super) fn each<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let some = || {

@@ -1,4 +1,4 @@
-//! The ledger as the claims' sheets have it: enough to list the claims and to write the errata without trying anything.
+//! The ledger as the claims' sheets have it: enough to list the claims and to write the errata.
 
 use super::{Entry, Judgement, Ledger, RecordError, Verdict};
 use crate::evidence::{Compared, Evidence, Subject};
@@ -6,7 +6,7 @@ use crate::trials::{Paper, tolerances::NONE};
 use std::collections::BTreeMap;
 
 impl Ledger {
-    /// The ledger as the [sheets](Paper::sheets) have it: nothing is tried.
+    /// The ledger by the [sheets](Paper::sheets).
     ///
     /// # Errors
     /// [`RecordError::Sheet`] for the first claim whose sheet is missing or cannot be read.
@@ -34,7 +34,6 @@ impl Ledger {
     }
 }
 
-/// What a sheet says, or what is wrong with it.
 fn said(sheet: &str) -> Result<(Judgement, Vec<Evidence>), &'static str> {
     let mut parts = sheet.split("\ntrial by ");
     let head = parts.next().unwrap_or_default();
@@ -56,7 +55,6 @@ fn said(sheet: &str) -> Result<(Judgement, Vec<Evidence>), &'static str> {
     Ok((judgement, evidence.ok_or("has a trial that is none")?))
 }
 
-/// What a trial of a sheet brought.
 fn trial(text: &str) -> Option<Evidence> {
     let mut lines = text.lines();
     let (route, about) = lines.next()?.strip_suffix(':')?.split_once(", ")?;

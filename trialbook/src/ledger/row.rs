@@ -1,4 +1,4 @@
-//! The ledger's rows as other programs read them; the book's page on JSON says what the fields mean.
+//! The ledger's rows for other programs; the book's page on JSON says what the fields mean.
 
 use super::{Entry, Standing};
 use crate::evidence::Sample;
@@ -25,7 +25,7 @@ pub struct Row<'a> {
     pub plain: &'a str,
     /// The verdict, by its slug.
     pub verdict: &'a str,
-    /// What is wrong, in one sentence of plain text; nothing for a claim that stands.
+    /// What is wrong, in one sentence; nothing for a claim that stands.
     pub wrong: Option<String>,
     /// What the verdict rests on.
     pub ground: &'a str,
@@ -37,10 +37,10 @@ pub struct Row<'a> {
     pub depends_on: &'a [&'a str],
     /// What replaces it, in LaTeX, where it fails.
     pub corrected: Option<&'a str>,
-    /// The functions of this library that the claim tries, each as its path, arguments and formula in plain text, written
-    /// from what the code computes.
+    /// The functions that the claim tries: path, arguments and formula in plain text, from what the code
+    /// computes.
     pub code: Vec<String>,
-    /// How many wrong variants of its formula, and of what replaces it, were tried.
+    /// How many wrong variants of its formulas were tried.
     pub variants: usize,
     /// How many of them its trials reject.
     pub rejected: usize,
@@ -51,15 +51,15 @@ pub struct Row<'a> {
 /// What one trial brought.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EvidenceRow<'a> {
-    /// The name of the trial: the last two names of the path of its function, or of the statement that it proves.
+    /// The last two names of its function's path, or the statement that it proves.
     pub trial: &'a str,
     /// How it was obtained, in lower case.
     pub route: &'a str,
     /// What it speaks about, in lower case.
     pub subject: crate::evidence::Subject,
-    /// What was compared with what, by which method and at which points: a sentence of plain text.
+    /// What was compared with what, by which method and where: a sentence.
     pub compared: String,
-    /// What the claim states, as plain text; for a proof in which no two sides are compared, what is shown.
+    /// What the claim states, as plain text; of a proof without two sides, what is shown.
     pub stated: String,
     /// What is found without it.
     pub found: Option<String>,
@@ -67,13 +67,13 @@ pub struct EvidenceRow<'a> {
     pub over: Option<String>,
     /// How many points were compared.
     pub points: usize,
-    /// At how many of them the two sides differ by more than the tolerance.
+    /// At how many of them the sides differ by more than the tolerance.
     pub failed: usize,
     /// What came of it: a sentence.
     pub result: String,
     /// A few of the compared pairs; of a proof, all of them.
     pub samples: &'a [Sample],
-    /// The largest disagreement; written as `null` where it is infinite or not a number.
+    /// The largest disagreement; `null` where not finite.
     pub worst: f64,
     /// The largest disagreement that counts as agreement.
     pub tolerance: f64,
@@ -83,11 +83,11 @@ pub struct EvidenceRow<'a> {
     pub reason: &'a str,
     /// The title of a proof; nothing for a measurement.
     pub title: Option<&'a str>,
-    /// What became of a proof: shown, checked, disproved, not proved; nothing for a measurement.
+    /// What became of a proof: shown, checked, disproved, not proved.
     pub proof: Option<&'a str>,
     /// True if it covers a part of the claim only.
     pub partial: bool,
-    /// The runs that it shares with other trials, by the places where they are made.
+    /// The runs that it shares with other trials, by where they are made.
     pub runs: Vec<String>,
 }
 
@@ -174,7 +174,6 @@ mod tests {
         &[],
     );
 
-    /// Every field, with other contents than any other.
     #[test]
     fn a_row_says_what_the_entry_does() {
         let [here, there] = [Location::caller(), Location::caller()];

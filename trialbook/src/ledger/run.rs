@@ -23,8 +23,6 @@ impl Entry {
         }
     }
 
-    /// Whether the verdict may change with that of `claim`: a misprint's with what follows from it, an inherited error's with
-    /// what it follows from.
     fn looks_at(&self, claim: &Claim) -> bool {
         match self.judgement.verdict {
             Verdict::Misprint => claim.depends_on.contains(&self.claim.id),
@@ -65,7 +63,6 @@ fn tried(
     entries.into_iter().map(|(_, entry)| entry).collect()
 }
 
-/// The claims that have no entry.
 fn untried(
     paper: &'static Paper,
     entries: &[Entry],
@@ -74,7 +71,6 @@ fn untried(
     claims.filter(|(_, claim)| entries.iter().all(|e| e.claim.id != claim.id))
 }
 
-/// Those whose verdict may not change any more with a claim that is not tried.
 fn settled(paper: &'static Paper, mut entries: Vec<Entry>) -> Vec<Entry> {
     while stop::asked() {
         let left: Vec<_> = untried(paper, &entries).collect();
@@ -87,8 +83,8 @@ fn settled(paper: &'static Paper, mut entries: Vec<Entry>) -> Vec<Entry> {
     entries
 }
 
-/// Which claims each worker has yet to try. Neighbours share runs, and of two workers that need the same runs one waits
-/// for the other: so each keeps to its own part, and who has finished helps the one with most left from its far end.
+/// Neighbours share runs, for which one worker waits for another: so each keeps to its own part, and who has
+/// finished helps the one with most left from its far end.
 struct Shares(Mutex<Vec<Range<usize>>>);
 
 impl Shares {
@@ -108,7 +104,6 @@ impl Shares {
     }
 }
 
-/// Finds out whether an entry's judgement changes in view of the claims that depend on it.
 fn changed(entries: &[Entry]) -> impl Fn((usize, &Entry)) -> Option<(usize, Judgement)> {
     move |(i, entry)| {
         let those = |wanted: &dyn Fn(&Claim) -> bool| -> Vec<_> {
@@ -123,15 +118,15 @@ fn changed(entries: &[Entry]) -> impl Fn((usize, &Entry)) -> Option<(usize, Judg
 }
 
 impl Ledger {
-    /// Tries every claim of the paper on all cores; calls `done` after each one. If it is [stopped](stop), it has those whose
+    /// Tries every claim on all cores; calls `done` after each one. If [stopped](stop), it has those whose
     /// verdict is known by then.
     pub fn try_all(paper: &'static Paper, done: impl Fn(&Claim) + Sync) -> Self {
         let entries = tried(paper, paper.claims().collect(), &done);
         Self::of(paper, settled(paper, entries))
     }
 
-    /// Tries the claims of these ids; calls `done` after each one. A verdict may rest on those of its
-    /// neighbours: they are tried too where that is so, and are no part of this ledger. As for [`Ledger::try_all`] if stopped.
+    /// Tries the claims of these ids, and neighbours on which their verdicts may rest, as
+    /// [`Ledger::try_all`].
     pub fn try_some(paper: &'static Paper, ids: &[&str], done: impl Fn(&Claim) + Sync) -> Self {
         let mut wanted: Vec<_> = paper
             .claims()
@@ -148,14 +143,12 @@ impl Ledger {
         Self::of(paper, settled(paper, entries)).about(ids)
     }
 
-    /// Only the claims of these ids, with the others beside them.
     pub(crate) fn about(mut self, ids: &[&str]) -> Self {
         let asked = |e: &Entry| ids.contains(&e.claim.id);
         (self.entries, self.beside) = self.entries.into_iter().partition(asked);
         self
     }
 
-    /// The entries, each judged in view of the others.
     pub(super) fn of(paper: &'static Paper, mut entries: Vec<Entry>) -> Self {
         // What a claim is worth may change what its neighbours are.
         while let Some((i, judgement)) = entries.iter().enumerate().find_map(changed(&entries)) {
@@ -179,7 +172,6 @@ mod tests {
         ..Paper::BLANK
     };
 
-    /// Whatever stands between a claim and what its verdict rests on.
     #[test]
     fn each_claim_has_the_same_verdict_alone() {
         for paper in [&HEIRS, &example::PAPER] {

@@ -1,11 +1,11 @@
-//! Measurements held against slight mistakes: a relative one of twice the tolerance, and one in a corner alone.
+//! Measurements held against slight mistakes: of twice the tolerance, or in a corner.
 
 use super::{Entry, Ledger, parallel};
 use crate::evidence::{Outcome, Subject};
 use crate::seeded::{Mistake, Seed};
 use crate::trials::variants::Variant;
 
-/// A measurement that agrees, and a formula of its claim that it reads.
+/// An agreeing measurement, and a formula of its claim that it reads.
 #[derive(Debug, Clone, Copy)]
 pub struct Slight {
     /// The number of the entry in the ledger.
@@ -14,12 +14,11 @@ pub struct Slight {
     pub trial: usize,
     /// The formula's name.
     pub formula: &'static str,
-    /// True if it notices that the formula gives too much by twice the tolerance, and that it gives too little.
+    /// It notices that the formula gives too much by twice the tolerance, and too little.
     pub noticed: bool,
 }
 
 impl Entry {
-    /// The numbers of the measurements that agree and read the formula of this path, the shortest first.
     fn measured_by(&self, path: &str) -> Vec<usize> {
         let those = self.evidence.iter().enumerate().filter(|(_, e)| {
             let says = !matches!(e.subject, Subject::Step | Subject::Excepted);
@@ -32,8 +31,8 @@ impl Entry {
 }
 
 impl Ledger {
-    /// What measurements do when a formula of their claim is wrong by twice their tolerance. Where nothing may differ there
-    /// is no such mistake.
+    /// What measurements do when a formula of their claim is wrong by twice their tolerance, where that is
+    /// not zero.
     pub fn slight(&self) -> Vec<Slight> {
         let formulas = &self.paper.formulas;
         let numbers = (formulas.numbers)();
@@ -67,7 +66,8 @@ impl Ledger {
         })
     }
 
-    /// Which of these variants a measurement of their claim notices that agrees without; `None` where none reads the formula.
+    /// Which variants a measurement of their claim notices that agrees without; `None` where none reads the
+    /// formula.
     pub fn noticed(&self, variants: &[Variant]) -> Vec<Option<bool>> {
         parallel::each(variants.len(), |i| {
             let seed = variants[i].seed;

@@ -1,12 +1,9 @@
-//! A trial in sentences: what was compared, by which method, at which points, and what came of it.
-//!
-//! Formulas stand in `$…$`, numbers as `2e-13`; who shows the sentences sets both.
+//! A trial in sentences: formulas in `$…$`, numbers as `2e-13`.
 
 use crate::evidence::{Evidence, Outcome, Route, Subject};
 use crate::notation::decimal;
 
 impl Route {
-    /// The method, behind the sentence that says what was compared.
     fn method(self) -> &'static str {
         match self {
             Route::Exact => "in exact arithmetic",
@@ -22,7 +19,7 @@ impl Route {
 }
 
 impl Evidence {
-    /// What was compared with what, by which method, at which points: one sentence.
+    /// What was compared, by which method, at which points: one sentence.
     pub fn comparison(&self) -> String {
         let (words, method) = (self.compared.words(), self.route.method());
         if self.compared.found().is_none() {
@@ -43,7 +40,7 @@ impl Evidence {
         format!("{}, {method}{points}.", self.opened())
     }
 
-    /// What came of it, in one sentence that is the same on every machine.
+    /// What came of it, in a sentence, the same on every machine.
     pub fn result(&self) -> String {
         let tolerance = self.tolerance.value;
         if self.route.is_proof() {
@@ -66,7 +63,7 @@ impl Evidence {
         }
     }
 
-    /// What came of it, and how far the two sides were apart where they were so farthest.
+    /// What came of it, and how far the two sides were apart at most.
     pub fn measured(&self) -> String {
         let tolerance = short(self.tolerance.value, 0);
         if self.route.is_proof() {
@@ -95,7 +92,6 @@ impl Evidence {
         }
     }
 
-    /// What was compared, with a capital.
     fn opened(&self) -> String {
         let words = self.compared.words();
         let mut letters = words.chars();
@@ -103,7 +99,6 @@ impl Evidence {
         first.into_iter().chain(letters).collect()
     }
 
-    /// What is said of a disagreement that no tolerance excuses: without the condition there has to be one.
     fn allowed(&self) -> &'static str {
         match self.subject {
             Subject::Outside => "that is why the condition is needed",
@@ -139,7 +134,6 @@ impl Evidence {
         }
     }
 
-    /// For what an identity holds, where the sentence does not say so itself.
     fn quantified(&self) -> String {
         let words = self.compared.words();
         let says = ["every ", "all ", "any "]
@@ -176,13 +170,12 @@ impl Evidence {
     }
 }
 
-/// A size with so many decimals of its mantissa, written without a power of ten where none is needed.
+/// With so many decimals of its mantissa, without a power of ten where none is needed.
 fn short(size: f64, decimals: usize) -> String {
     let scientific = format!("{size:.decimals$e}");
     decimal(&scientific).unwrap_or(scientific)
 }
 
-/// A bound of one digit on a size.
 pub(super) fn rounded_up(size: f64) -> String {
     let nearest = format!("{size:.0e}");
     match nearest.parse::<f64>() {
@@ -206,7 +199,7 @@ pub(crate) fn count(n: usize) -> String {
     out
 }
 
-/// A count with its noun: `1 point`, `20 points`.
+/// `1 point`, `20 points`.
 #[cfg(feature = "book")]
 pub(crate) fn counted(n: usize, noun: &str) -> String {
     let plural = if n == 1 { "" } else { "s" };

@@ -1,4 +1,4 @@
-//! A claim's sheet: all that is known of it, as plain text that a physicist can review line by line.
+//! A claim's sheet: all that is known of it, as plain text to review.
 
 use super::{Entry, Tally};
 use crate::evidence::{Evidence, Outcome, Sample, Subject, ranges};
@@ -7,16 +7,14 @@ use crate::trials::{Sort, compare::SAMPLES};
 use std::fmt::Write;
 
 impl Entry {
-    /// The claim, its formula, its conditions, its verdict, and each trial with a few compared values.
-    ///
-    /// Only what is the same on every machine: a disagreement is shown by whether it is within its
-    /// tolerance, and values are rounded two digits short of it.
+    /// The claim, its formula, its conditions, its verdict, and each trial with a few compared values,
+    /// rounded so that they are the same on every machine.
     pub fn sheet(&self) -> String {
         plain_words(&self.snapshot())
     }
 
-    /// The sheet as it is recorded, for [`Ledger::recorded`](super::Ledger::recorded): where the claim has to be changed, the
-    /// formulas of what was compared stand in `$…$`, as the errata have them.
+    /// The sheet as recorded, for [`Ledger::recorded`](super::Ledger::recorded): the formulas of what has to
+    /// be changed stand in `$…$`.
     pub fn snapshot(&self) -> String {
         let claim = self.claim;
         let mut text = format!("{}: {}\n", claim.id, claim.title);
@@ -120,7 +118,6 @@ fn trial(text: &mut String, e: &Evidence, entry: &Entry) {
     }
 }
 
-/// Both sides of a pair that disagrees, with digits enough to see it.
 fn apart(sample: &Sample, tolerance: f64) -> [String; 2] {
     if let Some(counts) = counts(sample, tolerance) {
         return counts;
@@ -145,7 +142,6 @@ fn apart(sample: &Sample, tolerance: f64) -> [String; 2] {
     }
 }
 
-/// Both sides of a pair of whole numbers that have to be the same.
 fn counts(sample: &Sample, tolerance: f64) -> Option<[String; 2]> {
     let sides = [sample.stated, sample.found];
     let whole = |value: f64| value.fract() == 0.0 && value.abs() < 1e9;
@@ -153,7 +149,7 @@ fn counts(sample: &Sample, tolerance: f64) -> Option<[String; 2]> {
     counted.then(|| sides.map(|value| format!("{value:.0}")))
 }
 
-/// `value` with two digits fewer than `tolerance` vouches for, at least three and at most ten.
+/// Two digits fewer than `tolerance` vouches for, at least three and at most ten.
 pub(crate) fn rounded(value: f64, tolerance: f64) -> String {
     match value.abs() < tolerance.max(1e-300) {
         true => "0".into(),

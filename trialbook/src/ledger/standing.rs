@@ -4,11 +4,11 @@ use super::{Entry, Ledger};
 use crate::evidence::{Evidence, Kind};
 use serde::Serialize;
 
-/// How what a verdict rests on is known: the claim, or what is right in its place.
+/// How what a verdict rests on is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Standing {
-    /// The whole statement is a theorem that a proof assistant's kernel has accepted, of the formulas as they are.
+    /// The whole is a theorem that a proof assistant's kernel has accepted, of the formulas as they are.
     Proved,
     /// The program has checked the steps of a proof; what joins them is said in words.
     Argued,
@@ -41,12 +41,12 @@ impl Evidence {
 }
 
 impl Entry {
-    /// Whether the whole claim is a theorem. What is built without trials reads no record of any.
+    /// What is built without trials reads no record of any.
     fn is_theorem(&self) -> bool {
         self.paper.known_theorems().is_proved(self.claim.id)
     }
 
-    /// How what the verdict rests on is known; nothing for an undecided claim.
+    /// How what the verdict rests on is known; nothing if undecided.
     pub fn standing(&self) -> Option<Standing> {
         let (claim, whole) = (self.claim, self.whole());
         if whole.is_empty() {

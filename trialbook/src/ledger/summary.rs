@@ -8,8 +8,8 @@ use crate::evidence::{Outcome, Subject};
 use crate::trials::Sort;
 
 impl Entry {
-    /// `Misprint: the sign of the second term.`, `Inherits the error of (128): the factor.`, `Needs a condition: …`; nothing
-    /// for a claim that stands. The verdict is computed; the words behind the colon are data. Formulas in `$…$`.
+    /// `Misprint: the sign of the second term.`, `Inherits the error of (128): the factor.`, `Needs a
+    /// condition: …`; nothing for a claim that stands. Formulas in `$…$`.
     pub fn in_short(&self) -> Option<String> {
         let verdict = self.judgement.verdict;
         let begins = match verdict {
@@ -26,7 +26,6 @@ impl Entry {
         Some(format!("{begins}: {wrong}."))
     }
 
-    /// The conditions of substance that the paper does not state.
     pub(super) fn missing(&self) -> String {
         let conditions = self.claim.conditions.iter();
         let missing = conditions.filter(|c| c.sort == Sort::Substance);
@@ -34,8 +33,8 @@ impl Entry {
         texts.join("; ")
     }
 
-    /// How it is known: `proved; 1,394 comparisons agree to 2e-13`. Of a claim that fails, how often what is printed fails
-    /// comes first, then how what is right is known.
+    /// How it is known: `proved; 1,394 comparisons agree to 2e-13`. Of a claim that fails, how often it fails
+    /// comes first.
     pub fn brief(&self) -> String {
         let fails = self.judgement.verdict.is_wrong();
         let measured = |subjects: &'static [Subject], outcome: Outcome| {
@@ -82,7 +81,6 @@ impl Entry {
         }
     }
 
-    /// What the wrong claims are called from which its error comes.
     fn sources(&self) -> String {
         let ids = self.judgement.inherits.iter();
         let names = ids.map(|id| {

@@ -5,7 +5,7 @@ use crate::evidence::Subject;
 use std::collections::BTreeSet;
 
 impl Entry {
-    /// The routes of all trials but those outside a condition, in a fixed order, each once.
+    /// The routes of all trials but those outside a condition, each once.
     pub fn routes(&self) -> String {
         let routes: BTreeSet<_> = self
             .evidence

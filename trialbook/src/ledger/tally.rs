@@ -12,7 +12,7 @@ pub struct Tally {
 }
 
 impl Entry {
-    /// The tally, if a test of the paper's tries all variants; zeros if none does, and for a claim without a formula.
+    /// The tally of a paper whose test tries all variants; else zeros, and for a claim without a formula.
     pub fn tally(&self) -> Tally {
         if !self.paper.tries_variants {
             return Tally::default();

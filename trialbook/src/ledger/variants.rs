@@ -6,8 +6,8 @@ use crate::seeded;
 use crate::trials::variants::Variant;
 
 impl Ledger {
-    /// Which of the variants are rejected. The ledger has to hold every claim: what trials keep of the motion has
-    /// then been made without a mistake.
+    /// Which of the variants are rejected. The ledger has to hold every claim: what trials keep is then made
+    /// without a mistake.
     pub fn rejected(&self, variants: &[Variant]) -> Vec<bool> {
         parallel::each(variants.len(), |i| {
             let entry = self.entry(&variants[i].claim);
@@ -17,8 +17,7 @@ impl Ledger {
 }
 
 impl Entry {
-    /// True if the claim, tried with the variant, does not get its verdict. A printed formula that fails as it stands
-    /// has to fail again, in a trial that notices the variant.
+    /// A printed formula that fails as it stands has to fail again, in a trial that notices the variant.
     fn rejects(&self, variant: &Variant) -> bool {
         let claim = self.claim;
         let verdict_of = |evidence: &[Evidence]| claim.judged(evidence).verdict;

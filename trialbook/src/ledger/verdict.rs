@@ -90,7 +90,7 @@ impl Verdict {
         )
     }
 
-    /// True for a claim that holds under a condition which the paper does not state.
+    /// It holds under a condition which the paper does not state.
     pub fn has_condition(self) -> bool {
         matches!(self, Verdict::Degenerate | Verdict::Conditional)
     }
@@ -122,8 +122,8 @@ fn judgement(verdict: Verdict, ground: impl Into<String>) -> Judgement {
 
 /// Judges one claim by its evidence.
 ///
-/// `change` is how much the correction changes that the evidence on [`Subject::Corrected`] is about,
-/// if there is one; `conditions` are those under which it is tried. The function depends on nothing but its arguments.
+/// `change` is how much the correction changes, if there is one; `conditions` are those under which it is
+/// tried.
 pub fn judge(
     kind: Kind,
     change: Option<Change>,
@@ -278,8 +278,8 @@ pub fn judge(
     }
 }
 
-/// The judgement of a claim in view of the claims that it rests on and of those that rest on it. An error is inherited
-/// from something that is wrong; and a wrong formula from which another inherits its error is more than a misprint.
+/// The judgement in view of the claims that it rests on and of those that rest on it: an error may be
+/// inherited, and a wrong formula that hands one on is more than a misprint.
 pub fn in_view_of(
     own: Judgement,
     below: &[(&str, Verdict)],
@@ -317,7 +317,6 @@ pub fn in_view_of(
     }
 }
 
-/// The evidence on one subject, by what it says.
 struct Weighed<'a> {
     agree: Vec<&'a Evidence>,
     against: Vec<&'a Evidence>,
@@ -344,7 +343,6 @@ impl<'a> Weighed<'a> {
         self.agree.is_empty() && self.against.is_empty()
     }
 
-    /// The routes by which the whole holds.
     fn distinct(&self) -> BTreeSet<Route> {
         let whole = self.agree.iter().filter(|e| !e.partial);
         whole.map(|e| e.route).collect()
@@ -354,7 +352,7 @@ impl<'a> Weighed<'a> {
         self.distinct().iter().any(|route| route.is_proof())
     }
 
-    /// Two independent routes, or one that proves. Routes that have read the same runs are one.
+    /// Routes that have read the same runs are one.
     fn enough(&self) -> bool {
         let whole = || self.agree.iter().filter(|e| !e.partial);
         let independent =
@@ -363,7 +361,7 @@ impl<'a> Weighed<'a> {
         two || self.is_proved()
     }
 
-    /// How it holds: exact algebra and enclosures first, those of a part last.
+    /// Exact algebra and enclosures first, those of a part last.
     fn standing(&self) -> String {
         let routes = self.distinct();
         let agree = self.agree.iter().map(|e| e.route);
@@ -379,7 +377,7 @@ impl<'a> Weighed<'a> {
     }
 }
 
-/// The routes, in words. Whether what is shown so is the whole of the claim, its [standing](super::Standing) says.
+/// Whether what is shown so is the whole of the claim, its [standing](super::Standing) says.
 fn list(routes: &BTreeSet<Route>) -> String {
     let names = routes.iter().map(|route| match route {
         Route::Exact => "exact algebra",

@@ -2,7 +2,7 @@
 
 use super::letters::{GREEK, HIGH, LOW, large, light};
 
-/// A text in ASCII: `μg/Ω²` as `mu g/Omega^2`. What has no form of its own there becomes a question mark.
+/// A text in ASCII: `μg/Ω²` as `mu g/Omega^2`; what has no form there becomes a question mark.
 pub fn ascii(text: &str) -> String {
     let mut out = String::new();
     let (mut raised, mut named) = (false, false);

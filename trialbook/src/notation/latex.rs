@@ -1,4 +1,4 @@
-//! Plain text as LaTeX: formulas such as `tan(θ/2)^2 + v_x/R`, wherever they stand among words.
+//! Plain text as LaTeX: formulas such as `tan(θ/2)^2 + v_x/R` among words.
 
 mod factors;
 mod scripts;
@@ -9,18 +9,15 @@ use super::letters::{FRACTIONS, HIGH, LOW, large, light};
 use super::plain::symbols;
 use factors::{is_differential, is_letter};
 
-/// Signs between the two sides of a statement.
 const RELATIONS: &str = "=<>≤≥≠≈→∈∝~≪≫≡";
 
-/// A statement longer than this, in characters, may be broken before the sign between its sides.
+/// In characters.
 const LONG: usize = 40;
 
-/// What stands in more brackets than so many is no formula.
+/// With more it is no formula.
 const DEEPEST: usize = 16;
 
-/// The formula with which a text begins, as LaTeX, and its length; its sides apart if it is long.
-///
-/// Words, numbers alone, capitals alone and numbers of equations such as `(13)` are none.
+/// With its length; its sides apart if it is long. Words, and numbers or capitals alone, are none.
 pub(super) fn formula(text: &str) -> Option<(Vec<String>, usize)> {
     let mut reader = Reader {
         rest: text,
@@ -39,12 +36,11 @@ pub(super) fn formula(text: &str) -> Option<(Vec<String>, usize)> {
     (reader.mathematical && ends).then_some((sides, length))
 }
 
-/// A factor, and what can be made of it.
 struct Factor {
     latex: String,
-    /// What stands in its round brackets, if it is nothing else.
+    /// If it is nothing else.
     inside: Option<String>,
-    /// True if it may stand before or behind a slash as it is.
+    /// May stand before or behind a slash as it is.
     simple: bool,
 }
 
@@ -64,9 +60,8 @@ impl Factor {
 
 struct Reader<'a> {
     rest: &'a str,
-    /// True if what was read so far can only be a formula.
+    /// What was read so far can only be a formula.
     mathematical: bool,
-    /// Within how many factors and brackets it reads.
     depth: usize,
 }
 
@@ -81,7 +76,6 @@ impl Reader<'_> {
         rest.is_some()
     }
 
-    /// What `read` reads; nothing is passed where it fails.
     fn tried<T>(&mut self, read: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         let (rest, mathematical) = (self.rest, self.mathematical);
         let found = read(self);
@@ -91,7 +85,6 @@ impl Reader<'_> {
         found
     }
 
-    /// What `read` reads, one level farther in.
     fn deeper<T>(&mut self, read: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         if self.depth == DEEPEST {
             return None;
@@ -102,7 +95,6 @@ impl Reader<'_> {
         found
     }
 
-    /// The sides of a statement, each but the first behind its sign.
     fn sides(&mut self) -> Option<Vec<String>> {
         let mut sides = vec![self.sum()?];
         while let Some(side) = self.tried(|r| {
@@ -135,7 +127,6 @@ impl Reader<'_> {
         Some(sum)
     }
 
-    /// A product, perhaps with a sign of its own.
     fn signed(&mut self) -> Option<String> {
         let negative = self.rest.starts_with('-') && self.rest[1..].starts_with(char::is_numeric);
         for (sign, latex) in [("−", "-"), ("±", r"\pm "), ("-", "-")] {
@@ -182,7 +173,6 @@ impl Reader<'_> {
         Some(flat.unwrap_or(so_far.latex))
     }
 
-    /// The sign before a further factor, and that factor.
     fn next_factor(&mut self) -> Option<(&'static str, Factor)> {
         for (written, joint) in [("/", "/"), (" · ", "·"), ("·", "·"), (" × ", "×")] {
             if self.skip(written) {
@@ -195,7 +185,6 @@ impl Reader<'_> {
         if !spaced && !begins {
             return None;
         }
-        // The article.
         let article = self.rest.strip_prefix("a ");
         if article.is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_lowercase())) {
             return None;
@@ -208,7 +197,6 @@ impl Reader<'_> {
     }
 }
 
-/// A sign of addition or of a statement in LaTeX.
 fn sign_command(sign: char) -> String {
     match sign {
         '−' => "-".into(),
@@ -218,7 +206,7 @@ fn sign_command(sign: char) -> String {
     }
 }
 
-/// Characters of our own words that have another command in LaTeX than its reader has for them, or none.
+/// Characters that have another command than the reader of LaTeX has for them, or none.
 const OTHERS: &[(char, &str)] = &[
     ('−', "-"),
     ('√', r"\surd"),
@@ -231,7 +219,6 @@ const OTHERS: &[(char, &str)] = &[
     ('\u{303}', r"\tilde{}"),
 ];
 
-/// The LaTeX command, for use in a formula, of a character that is not ASCII.
 pub(crate) fn command(c: char) -> Option<String> {
     if let Some((_, command)) = OTHERS.iter().find(|(known, _)| *known == c) {
         return Some((*command).to_owned());

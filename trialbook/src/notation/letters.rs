@@ -1,6 +1,6 @@
-//! Letters, accents and small digits: how they stand in plain text, and what LaTeX calls them.
+//! Letters, accents and small digits, in plain text and in LaTeX.
 
-/// The names of Greek letters and of those that are used like them. Of two names for one letter the first is the one that is written.
+/// With those that are used like them. Of two names for one letter the first is written.
 pub(crate) const GREEK: &[(&str, &str)] = &[
     ("alpha", "α"),
     ("beta", "β"),
@@ -32,7 +32,6 @@ pub(crate) const GREEK: &[(&str, &str)] = &[
     ("Theta", "Θ"),
 ];
 
-/// Commands that put a mark over their argument, and the mark behind it.
 pub(super) const ACCENTS: &[(&str, char)] = &[
     ("dot", '\u{307}'),
     ("ddot", '\u{308}'),
@@ -42,13 +41,11 @@ pub(super) const ACCENTS: &[(&str, char)] = &[
     ("vec", '\u{20d7}'),
 ];
 
-/// Functions by their names, which are LaTeX's too.
 pub(crate) const FUNCTIONS: &[&str] = &[
     "sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "coth",
     "exp", "ln", "min", "max",
 ];
 
-/// Fractions that have a character of their own.
 pub(super) const FRACTIONS: &[((&str, &str), &str)] = &[
     (("1", "2"), "½"),
     (("1", "3"), "⅓"),
@@ -57,7 +54,7 @@ pub(super) const FRACTIONS: &[((&str, &str), &str)] = &[
     (("3", "4"), "¾"),
 ];
 
-/// Letters and their bold forms: the first of each, and how many follow.
+/// The first of each, and how many follow.
 const BOLD: &[(char, char, u32)] = &[('A', '𝐀', 26), ('a', '𝐚', 26), ('α', '𝛂', 25)];
 
 fn shifted(c: char, from: char, to: char, all: u32) -> Option<char> {
@@ -65,7 +62,7 @@ fn shifted(c: char, from: char, to: char, all: u32) -> Option<char> {
     char::from_u32(u32::from(to) + nth)
 }
 
-/// The bold form of a letter; what has none stays as it is.
+/// What has none stays as it is.
 pub(super) fn bold(c: char) -> char {
     let mut forms = BOLD.iter();
     forms
@@ -73,7 +70,6 @@ pub(super) fn bold(c: char) -> char {
         .unwrap_or(c)
 }
 
-/// The letter of which this is the bold form.
 pub(super) fn light(c: char) -> char {
     let mut forms = BOLD.iter();
     forms
@@ -81,12 +77,11 @@ pub(super) fn light(c: char) -> char {
         .unwrap_or(c)
 }
 
-/// What stands below the line, each behind what it stands for.
+/// Each behind what it stands for.
 pub(super) const LOW: &str = "0₀1₁2₂3₃4₄5₅6₆7₇8₈9₉+₊-₋xₓnₙkₖ";
-/// What stands above the line, each behind what it stands for.
+/// Each behind what it stands for.
 pub(crate) const HIGH: &str = "0⁰1¹2²3³4⁴5⁵6⁶7⁷8⁸9⁹+⁺-⁻nⁿkᵏ";
 
-/// What a character stands for, if it is one of these small ones.
 pub(crate) fn large(c: char, among: &str) -> Option<char> {
     if c.is_ascii() {
         return None;
@@ -94,7 +89,6 @@ pub(crate) fn large(c: char, among: &str) -> Option<char> {
     pairs(among).find_map(|(large, small)| (small == c).then_some(large))
 }
 
-/// The small character that stands for a digit or a sign.
 pub(super) fn small(c: char, among: &str) -> Option<char> {
     pairs(among)
         .find_map(|(large, small)| (large == c && !c.is_ascii_alphabetic()).then_some(small))
@@ -104,7 +98,6 @@ fn pairs(of: &str) -> impl Iterator<Item = (char, char)> {
     of.chars().zip(of.chars().skip(1)).step_by(2)
 }
 
-/// True for a small letter or digit, below the line or above.
 pub(super) fn is_small(c: char) -> bool {
     large(c, LOW).or(large(c, HIGH)).is_some()
 }

@@ -1,13 +1,11 @@
 //! Numbers as they are written in running text.
 
-/// Words that count, each with its value behind it.
 const WORDS: &str = "no 0 one 1 two 2 three 3 four 4 five 5 six 6 seven 7 eight 8 nine 9 ten 10 eleven 11 twelve 12
     none 0 once 1 twice 2 thirteen 13 fourteen 14 fifteen 15 sixteen 16 seventeen 17 eighteen 18 nineteen 19 twenty 20 thirty 30 forty 40 fifty 50
     sixty 60 seventy 70 eighty 80 ninety 90 hundred 1e2 thousand 1e3 million 1e6 billion 1e9 half 0.5 quarter 0.25
     quarters 0.25 third 0.3333333333333333 thirds 0.3333333333333333 tenth 0.1 tenths 0.1 hundredth 0.01 hundredths 0.01
     thousandth 1e-3 thousandths 1e-3 millionth 1e-6 millionths 1e-6 billionth 1e-9 billionths 1e-9 % 0.01";
 
-/// The number that a word is.
 fn one(word: &str) -> Option<f64> {
     let word = word.trim_end_matches("-way");
     if let Some((times, part)) = word.split_once('-') {
@@ -38,14 +36,14 @@ fn known() -> impl Iterator<Item = (&'static str, &'static str)> {
     std::iter::from_fn(move || words.next().zip(words.next()))
 }
 
-/// The word for a small number.
 #[cfg(feature = "book")]
 pub(crate) fn word(n: usize) -> Option<&'static str> {
     let n = n.to_string();
     Some(known().take(13).find(|(_, value)| *value == n)?.0)
 }
 
-/// The number that words are which stand beside each other: `three quarters` is three times a quarter, `one and a half` 1.5.
+/// The number that words beside each other are: `three quarters` is three times a quarter, `one and a half`
+/// 1.5.
 pub fn number(words: &[&str]) -> Option<f64> {
     match words {
         [] => None,
@@ -55,8 +53,8 @@ pub fn number(words: &[&str]) -> Option<f64> {
     }
 }
 
-/// Of words between `|` the one of this number, from 0. Of one alone, a number in words or digits, that it is this one; of others, that 0
-/// says they are so.
+/// Of words between `|` the one of this number, from 0. Of one alone, that it is this number; of other words,
+/// that 0 says so.
 ///
 /// # Errors
 /// What is computed, where none of it is that.
@@ -86,14 +84,12 @@ pub trait Says {
     fn says(self) -> Result<f64, String>;
 }
 
-/// The first of two words, if it is so.
 impl Says for bool {
     fn says(self) -> Result<f64, String> {
         Ok(f64::from(u8::from(!self)))
     }
 }
 
-/// Of several the one that is so.
 impl<const N: usize> Says for [bool; N] {
     fn says(self) -> Result<f64, String> {
         let mut so = (0..N).filter(|i| self[*i]);
@@ -116,7 +112,7 @@ impl Says for f64 {
     }
 }
 
-/// The numbers in code, in order, and the fractions `1.0 / 3.0`; what its comments say does not count.
+/// The numbers in code, in order, without its comments, and the fractions `1.0 / 3.0`.
 #[cfg(feature = "book")]
 pub fn literals(code: &str) -> Vec<f64> {
     let mut numbers = Vec::new();
@@ -158,7 +154,6 @@ pub fn literals(code: &str) -> Vec<f64> {
     numbers
 }
 
-/// How long the number is that a text begins with.
 #[cfg(feature = "book")]
 fn length(text: &str) -> usize {
     let bytes = text.as_bytes();

@@ -1,4 +1,4 @@
-//! Our own plain words, taken apart: formulas and numbers, for those who set them in HTML or LaTeX.
+//! Our own plain words, taken apart: formulas and numbers.
 
 use super::latex::formula;
 
@@ -44,7 +44,7 @@ pub fn pieces(text: &str) -> Vec<Piece<'_>> {
     out
 }
 
-/// A number such as `2.3e2` or `1e-2` as a decimal, if it is so near to one that no power of ten is needed.
+/// A number such as `2.3e2` or `1e-2` as a decimal, if that needs no power of ten.
 pub fn decimal(scientific: &str) -> Option<String> {
     let exponent = scientific.split_once('e').map_or("0", |(_, e)| e);
     let near = ["-2", "-1", "0", "1", "2"].contains(&exponent);
@@ -52,13 +52,12 @@ pub fn decimal(scientific: &str) -> Option<String> {
     Some(number.to_string())
 }
 
-/// The length of the number without a sign with which a text begins.
 fn number(text: &str) -> usize {
     let end = text.find(|c: char| !c.is_ascii_digit() && c != '.');
     end.unwrap_or(text.len())
 }
 
-/// What the text begins with, if it is a number that is more than its digits, and its length.
+/// If it is a number that is more than its digits; and its length.
 fn special(before: Option<char>, text: &str) -> Option<(Piece<'_>, usize)> {
     let part_of_word = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
     if let Some(after) = text.strip_prefix('-') {

@@ -38,7 +38,6 @@ struct Reader<'a> {
     rest: &'a str,
 }
 
-/// Commands that stand for a character or a few.
 const SYMBOLS: &[(&str, &str)] = &[
     ("approx", " ≈ "),
     ("simeq", " ≃ "),
@@ -86,12 +85,10 @@ const SYMBOLS: &[(&str, &str)] = &[
     ("qquad", "  "),
 ];
 
-/// The commands that stand for a character or a few: letters and signs.
 pub(super) fn symbols() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
     GREEK.iter().chain(SYMBOLS)
 }
 
-/// Commands that only change how their argument looks.
 const LOOKS: &[&str] = &[
     "mathrm",
     "mathfrak",
@@ -102,7 +99,6 @@ const LOOKS: &[&str] = &[
     "operatorname",
 ];
 
-/// Commands that leave no trace.
 const SILENT: &[&str] = &[
     "left",
     "right",
@@ -124,7 +120,6 @@ const SILENT: &[&str] = &[
 ];
 
 impl Reader<'_> {
-    /// All up to the brace that closes the group being read, or to the end.
     fn until_closed(&mut self) -> String {
         let mut out = String::new();
         // Where a fraction begins of which it is not known yet whether something follows that it multiplies.
@@ -169,7 +164,6 @@ impl Reader<'_> {
                 out.truncate(out.trim_end().len());
                 self.rest = self.rest.trim_start();
             }
-            // The first of two bars.
             if item == "|" && bars(&out).is_multiple_of(2) {
                 self.rest = self.rest.trim_start();
             }
@@ -184,7 +178,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The next item; none at a closing brace, which is passed, or at the end.
+    /// None at a closing brace, which is passed, or at the end.
     fn item(&mut self) -> Option<String> {
         let c = self.rest.chars().next()?;
         self.rest = &self.rest[c.len_utf8()..];
@@ -198,14 +192,12 @@ impl Reader<'_> {
             '~' => " ".into(),
             '=' | '<' | '>' => format!(" {c} "),
             '&' | '\n' => " ".into(),
-            // Between a case and where it holds.
             ',' if self.rest.starts_with('&') => " for".into(),
             ',' => ", ".into(),
             c => c.into(),
         })
     }
 
-    /// The argument of a command: a group, a command or a character.
     fn argument(&mut self) -> String {
         self.rest = self.rest.trim_start();
         self.item().unwrap_or_default()
@@ -268,7 +260,6 @@ impl Reader<'_> {
     }
 }
 
-/// A sub- or superscript: in small digits, or behind its sign.
 fn script(text: &str, sign: &str, among: &str) -> String {
     let signs = text.replace('−', "-");
     let digits: Option<String> = signs.chars().map(|c| small(c, among)).collect();
@@ -283,25 +274,21 @@ fn bars(text: &str) -> usize {
     text.matches('|').count()
 }
 
-/// Puts what begins there into brackets.
 fn bracket(out: &mut String, at: usize) {
     let tail = out.split_off(at);
     let (inner, blanks) = tail.split_at(tail.trim_end().len());
     *out += &format!("({inner}){blanks}");
 }
 
-/// True if an item that stands behind a fraction multiplies it.
 fn multiplies(item: &str) -> bool {
     item.starts_with(|c: char| c.is_alphanumeric() || "√([|/".contains(c))
 }
 
-/// True if a sign behind the text is one between two terms.
 fn ends_a_term(text: &str) -> bool {
     text.ends_with(|c: char| c.is_alphanumeric() || is_mark(c) || ")]|".contains(c))
         && !ends_with_function(text)
 }
 
-/// True if the text ends with a function whose argument is to come.
 fn ends_with_function(text: &str) -> bool {
     let word = text
         .trim_end_matches(|c| c == ' ' || large(c, HIGH).is_some())
@@ -310,7 +297,7 @@ fn ends_with_function(text: &str) -> bool {
     word.is_some_and(|word| FUNCTIONS.contains(&word))
 }
 
-/// A term in brackets unless it is one factor: a number, a symbol with its marks, a differential, a root, a bracket.
+/// In brackets unless one factor: a number, a symbol with its marks, a differential, a root, a bracket.
 fn factor(term: String) -> String {
     let term = term.trim();
     match is_factor(term) {
@@ -319,7 +306,6 @@ fn factor(term: String) -> String {
     }
 }
 
-/// A small letter, or what stands above one.
 fn is_mark(c: char) -> bool {
     is_small(c) || "′˙".contains(c) || ('\u{300}'..'\u{370}').contains(&c)
 }
@@ -350,7 +336,6 @@ fn is_factor(term: &str) -> bool {
         || closed.next() == Some(term.len().wrapping_sub(1)) && term.starts_with('(')
 }
 
-/// True for `dx`, and for `d(x y)`.
 fn is_differential(term: &str) -> bool {
     let power = |c: char| large(c, HIGH).is_some();
     let of = term
@@ -359,7 +344,6 @@ fn is_differential(term: &str) -> bool {
     of.is_some_and(is_factor)
 }
 
-/// A term in brackets if it has parts.
 fn whole(term: String) -> String {
     let term = term.trim();
     if !is_differential(term) && term.contains([' ', '+', '−', '/', '±', '=']) {

@@ -1,17 +1,14 @@
-//! A second, foreign integrator: Dormand and Prince's Runge–Kutta method of order 8(5,3), from `ode_solvers`.
-//!
-//! It shares no line with [`taylor`](super::taylor) and serves to cross-check it. Its step sizes go through the
-//! standard library's powers, so that its last bits may differ between platforms.
+//! A second, foreign integrator to check [`taylor`](super::taylor): Dormand and Prince's Runge–Kutta method
+//! of order 8(5,3), from `ode_solvers`. Its last bits may differ between platforms.
 
 use super::error::{NumericsError, finite};
 use ode_solvers::dop_shared::{IntegrationError, OutputType};
 use ode_solvers::{DVector, Dop853, System};
 
-/// A right-hand side in the form that the library wants, with the time as one more component: the library's own
-/// time is wrong in the last stage (its node c₁₂ is 0 where it has to be 1), so nothing may depend on it.
+/// With the time as one more component: the library's own is wrong in the last stage (its node c₁₂ is 0 where
+/// it has to be 1), so nothing may depend on it.
 struct RightHandSide<'f>(&'f Slopes<'f>);
 
-/// The slopes at a time and in a state; the library is compiled once for all of them.
 type Slopes<'f> = dyn Fn(f64, &[f64], &mut [f64]) + 'f;
 
 impl System<f64, DVector<f64>> for RightHandSide<'_> {
@@ -24,8 +21,8 @@ impl System<f64, DVector<f64>> for RightHandSide<'_> {
     }
 }
 
-/// State at time `to` of x′ = `f(t, x)` that begins at time `from` in `state`. `relative` and `absolute` are the
-/// tolerances of a single step; 10⁻¹⁴ is about the least that makes sense.
+/// State at time `to` of x′ = `f(t, x)` from `state` at time `from`. `relative` and `absolute` are the
+/// tolerances of a single step, from about 10⁻¹⁴.
 ///
 /// # Errors
 /// [`NumericsError::Argument`] for a time, state or tolerance out of range, [`NumericsError::Library`] when the
@@ -100,7 +97,6 @@ pub fn end<const D: usize>(
     }
 }
 
-/// Steps allowed.
 const MAX_STEPS: u32 = 10_000;
 
 #[cfg(test)]

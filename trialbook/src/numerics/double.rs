@@ -1,12 +1,6 @@
-//! Numbers of twice the width: the unevaluated sum of two `f64`, some 31 digits.
-//!
-//! An answer computed in these numbers and rounded once has all digits that an `f64` can hold, wherever its question
-//! does not lose more than fifteen of them. Sums and products carry their rounding errors along exactly (Dekker, "A
-//! floating-point technique for extending the available precision", Numer. Math. 18, 1971; Knuth, The Art of Computer
-//! Programming 2, 4.2.2); elementary functions come from libm's values by a step of Newton's rule, or from short
-//! series. Everything is addition and multiplication of `f64`: the bits are the same on every machine.
-//!
-//! The range is that of `f64`, less the lowest: below about 10⁻²⁹⁰ the second half is lost.
+//! Numbers of twice the width: the sum of two `f64`, some 31 digits; the second half is lost below about
+//! 10⁻²⁹⁰ (Dekker, Numer. Math. 18, 1971; Knuth, The Art of Computer Programming 2, 4.2.2). The bits are the
+//! same on every machine.
 
 use super::number::{Number, Real};
 use crate::scalar::Scalar;
@@ -139,7 +133,6 @@ const LN_2: Double = Double {
     hi: std::f64::consts::LN_2,
     lo: 2.319046813846299_6e-17,
 };
-/// π/2 in three parts.
 const HALF_PI: [f64; 3] = [
     std::f64::consts::FRAC_PI_2,
     6.123233995736766e-17,
@@ -193,7 +186,6 @@ impl Double {
         (self - large - small - least, turns.rem_euclid(4.0) as u8)
     }
 
-    /// The sine, so many quarter turns on.
     fn sine(self, on: u8) -> Self {
         let (rest, turns) = self.without_quarters();
         let quarters = (turns + on) % 4;
@@ -250,8 +242,8 @@ impl Double {
     }
 }
 
-/// A decimal number as it is typed. Up to fifteen digits are taken as they stand, and so is 0.1, which no `f64` is; a
-/// number with more was most likely printed by a program and is the `f64` that it stands for.
+/// A decimal number as typed. Up to fifteen digits are taken as they stand; more were most likely printed by
+/// a program: that `f64`.
 impl FromStr for Double {
     type Err = std::num::ParseFloatError;
 

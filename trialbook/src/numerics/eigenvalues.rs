@@ -1,9 +1,9 @@
-//! The eigenvalues of a linearised motion, by `faer`'s QR iteration: how fast small deviations grow or fall.
+//! The eigenvalues of a linearised motion, by `faer`: how fast small deviations grow or fall.
 
 use super::error::NumericsError;
 use faer::Mat;
 
-/// The eigenvalues of a square matrix, real and imaginary part, in the order of their real parts, then of their imaginary ones.
+/// The eigenvalues of a square matrix, real and imaginary part, in order of the former, then the latter.
 ///
 /// # Errors
 /// [`NumericsError::NotFinite`] for an entry that is not finite, with its row; [`NumericsError::Library`] where the iteration
@@ -31,8 +31,7 @@ pub fn eigenvalues<const N: usize>(matrix: [[f64; N]; N]) -> Result<[[f64; 2]; N
     Ok(list)
 }
 
-/// The matrix of the derivatives of a map at a point, ∂fᵢ/∂xⱼ, by central differences of the steps `h`; its error is of the
-/// order h².
+/// The matrix ∂fᵢ/∂xⱼ of a map at a point, by central differences of the steps `h`, to the order h².
 ///
 /// # Errors
 /// Those of the map.

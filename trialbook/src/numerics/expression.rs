@@ -1,4 +1,4 @@
-//! A number as people type it: a decimal number, or an expression such as `2/sqrt(4+pi^2)` or `120deg`.
+//! A number as people type it: a decimal number, `2/sqrt(4+pi^2)` or `120deg`.
 
 use crate::scalar::Scalar;
 
@@ -32,13 +32,12 @@ pub enum ExpressionError {
 
 const FUNCTIONS: &str = "sqrt, sin, cos, tan, asin, acos, sinh, cosh, tanh, exp, ln";
 
-/// The most brackets, signs and powers within one another.
 const DEEPEST: u32 = 64;
 
 /// The value of an expression over any [`Scalar`]; `number` reads a decimal number without a sign.
 ///
-/// There are `+ - * / ^ ( )`, `pi` or `π`, the functions by their usual names, and `deg` or `°` behind a number of
-/// degrees. A division by zero gives what the scalar makes of it.
+/// There are `+ - * / ^ ( )`, `pi` or `π`, the functions by their usual names, and `deg` or `°`. A division
+/// by zero gives what the scalar makes of it.
 ///
 /// # Errors
 /// [`ExpressionError`] where the text is no expression.
@@ -49,7 +48,7 @@ pub fn expression<S: Scalar>(
     Ok(Formula::parse(text, number, false)?.at(S::int(0)))
 }
 
-/// An [`expression`] of the time `t`; what needs no time is computed as it is read.
+/// An [`expression`] of the time `t`.
 #[derive(Debug, Clone)]
 pub enum Formula<S> {
     /// A number.
@@ -132,7 +131,6 @@ struct Reader<'a, N> {
     text: &'a str,
     rest: &'a str,
     number: N,
-    /// Whether `t` is known.
     time: bool,
     depth: u32,
 }
@@ -149,7 +147,6 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
         }
     }
 
-    /// Takes one of these signs if it is next, and the space behind it.
     fn take(&mut self, signs: &[char]) -> Option<char> {
         let sign = self.rest.chars().next().filter(|c| signs.contains(c))?;
         self.rest = self.rest[sign.len_utf8()..].trim_start();
@@ -261,7 +258,6 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
     }
 }
 
-/// The length of the decimal number that a text begins with.
 fn decimal(text: &str) -> usize {
     let digits =
         |text: &str| text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len();

@@ -1,8 +1,5 @@
-//! Linear least squares: the coefficients with which a sum of given functions comes nearest to data, and the [condition
-//! number](Fit::condition), which says how well the data tell the functions apart.
-//!
-//! The design matrix, its columns scaled to unit length so that basis functions of very different sizes do no harm, is
-//! decomposed by `faer`: Householder's QR for the coefficients, singular values for the condition.
+//! Linear least squares, by `faer`, the columns of the design matrix scaled to unit length: Householder's QR
+//! for the coefficients, singular values for the [condition](Fit::condition).
 
 use super::error::NumericsError;
 use faer::Mat;
@@ -13,15 +10,15 @@ use faer::linalg::solvers::SolveLstsq;
 pub struct Fit {
     /// Coefficient of each function.
     pub coefficients: Vec<f64>,
-    /// Standard error of each coefficient, from the scatter of the residuals; zero where there are as many
-    /// coefficients as data.
+    /// Standard error of each coefficient, from the scatter of the residuals; zero with as many coefficients
+    /// as data.
     pub errors: Vec<f64>,
     /// Root mean square of the residuals.
     pub residual: f64,
     /// Largest absolute residual.
     pub worst: f64,
-    /// The condition number of the scaled design matrix, its largest singular value over the smallest: so many times
-    /// larger, at most, is a relative error of the coefficients than one of the data. At least 1; dimensionless.
+    /// The condition number of the scaled design matrix: the most by which it enlarges a relative error of
+    /// the data. At least 1.
     pub condition: f64,
 }
 
@@ -95,7 +92,7 @@ pub fn fit(data: &[(f64, f64)], basis: &[&dyn Fn(f64) -> f64]) -> Result<Fit, Nu
     }
 }
 
-/// A design matrix with unit columns and a smaller singular value than this has columns that depend on each other.
+/// Of a design matrix with unit columns: below this they depend on each other.
 const DEPENDENT: f64 = 1e-13;
 
 #[cfg(test)]

@@ -1,7 +1,5 @@
-//! Several numbers that go through the same arithmetic at once, one in each lane of a vector register.
-//!
-//! Each lane is computed by itself, by the same additions and multiplications as a single `f64`: its bits do not
-//! depend on its neighbours, on the number of lanes or on the machine's widest register.
+//! Several numbers that go through the same arithmetic at once, one in each lane of a vector register; the
+//! bits of each are those of a single `f64`.
 
 use super::number::Number;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -142,8 +140,8 @@ impl<const L: usize> Number for Lanes<L> {
     }
 }
 
-/// Work that gains from wide registers. Everything in `call` has to be inlined into it (closures in library functions
-/// are not), or it is compiled for the narrow ones.
+/// Work that gains from wide registers. Whatever in `call` is not inlined, as closures in library functions
+/// are not, is compiled for the narrow ones.
 pub trait Wide {
     /// What comes out.
     type Output;
@@ -151,8 +149,7 @@ pub trait Wide {
     fn call<const WIDTH: usize>(self) -> Self::Output;
 }
 
-/// Does the work in code that is compiled for the widest registers of this machine. The result has the same bits on
-/// all: products are not contracted with sums.
+/// Does the work in code for the widest registers of this machine; the bits are the same on all.
 // The only place: the compiler cannot know what the machine has.
 #[allow(unsafe_code)]
 pub fn widest<W: Wide>(work: W) -> W::Output {
@@ -185,7 +182,6 @@ pub fn widest<W: Wide>(work: W) -> W::Output {
 mod tests {
     use super::*;
 
-    /// Signs, sizes and specials, each at a place of its own.
     const X: Lanes<4> = Lanes([1.5, -0.3, 0.0, 1e300]);
     const Y: Lanes<4> = Lanes([0.2, 7.0, 4.0, -1e300]);
 

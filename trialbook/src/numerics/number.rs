@@ -1,4 +1,4 @@
-//! What a number must be able to do to be integrated with: little enough for big floats and intervals.
+//! What a number must be able to do to be integrated with.
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -13,8 +13,7 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Binary logarithm of the relative size that the last terms of a step may have: a quarter of the spacing of the
-    /// numbers.
+    /// A quarter of the spacing of the numbers.
     const TOLERANCE_LOG2: f64 = -60.0;
 
     /// The number `x`, exactly.
@@ -104,7 +103,7 @@ impl Number for f64 {
     fn pow(&self, exponent: f64) -> Self {
         libm::pow(*self, exponent)
     }
-    /// By the inverse: a division takes three times as long, and every next coefficient waits for it.
+    /// A division takes three times as long, and every next coefficient waits for it.
     #[inline(always)]
     fn over(&self, n: usize) -> Self {
         match INVERSES.get(n) {
@@ -122,7 +121,7 @@ impl Number for f64 {
     }
 }
 
-/// 1/n, for more n than a series of ours has terms.
+/// More than a series of ours has terms.
 const INVERSES: [f64; 64] = {
     let mut inverses = [0.0; 64];
     let mut n = 1;

@@ -1,8 +1,7 @@
-//! Integrals: by a Gauss–Legendre rule where the integrand is smooth, and else through the adaptive Gauss–Kronrod
-//! rule of `quad-rs`.
+//! Integrals: by a Gauss–Legendre rule where the integrand is smooth, and else through the adaptive
+//! Gauss–Kronrod rule of `quad-rs`.
 //!
-//! An integrand that is infinite at an end, but integrable, wants to be known by its distance from that end:
-//! near 0 the numbers are dense, near 1 they are not. So put the end at 0.
+//! Put an end at which the integrand is infinite at 0: numbers are dense there, near 1 they are not.
 
 use super::error::{NumericsError, finite};
 #[cfg(all(feature = "trials", not(target_family = "wasm")))]
@@ -17,7 +16,6 @@ pub struct Integral {
     pub error: f64,
 }
 
-/// An integrand in the form that the library wants; the library is compiled once for all of them.
 #[cfg(all(feature = "trials", not(target_family = "wasm")))]
 struct Integrand<'f>(&'f dyn Fn(f64) -> f64);
 
@@ -31,7 +29,7 @@ impl Integrable for Integrand<'_> {
     }
 }
 
-/// The integral of `f` from `low` to `high` (either order), to about 10⁻¹⁴ of ∫|f|. `f` is not called at the ends.
+/// The integral of `f` from `low` to `high` (either order), to about 10⁻¹⁴ of ∫|f|, without the ends.
 ///
 /// Cost: at most 200,000 evaluations of `f`.
 ///
@@ -42,7 +40,7 @@ pub fn integral(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Result<Integral,
     integral_within(f, low, high, ABSOLUTE)
 }
 
-/// As [`integral`], but content with an error of `absolute`: for an integral that may be zero.
+/// As [`integral`], with an error of `absolute`: for an integral that may be zero.
 ///
 /// # Errors
 /// As for [`integral`], and [`NumericsError::Argument`] for an `absolute` that is not finite and positive.
@@ -82,12 +80,11 @@ pub fn integral_within(
     })
 }
 
-/// The value of [`integral_within`] of what a formula gives; not a number where it gives none.
+/// The value of [`integral_within`]; not a number where there is none.
 pub fn sum(f: impl Fn(f64) -> f64, low: f64, high: f64, absolute: f64) -> f64 {
     integral_within(f, low, high, absolute).map_or(f64::NAN, |sum| sum.value)
 }
 
-/// By the library.
 #[cfg(all(feature = "trials", not(target_family = "wasm")))]
 fn adaptive(
     f: &dyn Fn(f64) -> f64,
@@ -112,7 +109,7 @@ fn adaptive(
     })
 }
 
-/// Without the library, or in a page of the book, where it asks for a clock that is not there: by halves of halves.
+/// By halves of halves: in a page of the book the library asks for a clock that is not there.
 #[cfg(not(all(feature = "trials", not(target_family = "wasm"))))]
 fn adaptive(
     f: &dyn Fn(f64) -> f64,
@@ -147,8 +144,7 @@ fn adaptive(
     Ok(sum)
 }
 
-/// The integral of a smooth function: by the rule on both halves, compared with the rule on the whole. What the
-/// two differ by is the error of the latter, and far more than that of the former.
+/// By the rule on both halves. Its difference from the rule on the whole is far more than its error.
 fn smooth(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Integral {
     let rule = |from: f64, to: f64| {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
@@ -164,7 +160,7 @@ fn smooth(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Integral {
     }
 }
 
-/// The positive nodes of the Gauss–Legendre rule with 20 nodes on [−1, 1], and their weights.
+/// With 20 nodes on [−1, 1]: the positive ones, and their weights.
 const GAUSS: [(f64, f64); 10] = [
     (0.07652652113349734, 0.15275338713072584),
     (0.22778585114164507, 0.14917298647260374),
@@ -181,11 +177,10 @@ const GAUSS: [(f64, f64); 10] = [
 /// What the rule's rounding errors amount to.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
-/// Evaluations allowed: a logarithmic or root singularity takes a few thousand.
+/// A logarithmic or root singularity takes a few thousand.
 const EVALUATIONS: usize = 200_000;
-/// Relative tolerance: just above what the library's own estimate can reach (50 units of rounding).
+/// Just above what the library's own estimate can reach (50 units of rounding).
 const RELATIVE: f64 = 1.2e-14;
-/// Absolute tolerance where only the relative one counts.
 const ABSOLUTE: f64 = 1e-300;
 
 #[cfg(test)]

@@ -1,16 +1,13 @@
-//! Roots of one equation in one unknown, from a bracket.
-//!
-//! [`root`] needs only values. Its method is Chandrupatla's ("A new hybrid quadratic/bisection algorithm for finding
-//! the zero of a nonlinear function without using derivatives", Adv. Eng. Softw. 28, 1997): inverse quadratic
-//! interpolation through the last three points where their places and values say that it can be trusted, and
-//! bisection elsewhere. [`falling_root`] is Newton's method for those who know the slope as well.
+//! Roots of one equation in one unknown, from a bracket. [`root`] needs only values (Chandrupatla, "A new
+//! hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without using
+//! derivatives", Adv. Eng. Softw. 28, 1997); [`falling_root`] is Newton's method.
 
 use super::error::{NumericsError, finite};
 
 /// A root of `f` between `low` and `high`, to two units in the last place of the root, or of the smallest
-/// normal number. Where `f` jumps across zero, the place of the jump.
+/// normal number; or the place where `f` jumps across zero.
 ///
-/// Cost: at most 4,224 evaluations of `f`, twice what bisection of the whole range of numbers takes.
+/// Cost: at most 4,224 evaluations of `f`.
 ///
 /// # Errors
 /// [`NumericsError::Argument`] for an end that is not finite, [`NumericsError::NoSignChange`] when `f` has the
@@ -88,10 +85,9 @@ pub fn root(mut f: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, N
 /// Steps after which [`root`] only bisects.
 const PATIENCE: usize = 60;
 
-/// Steps in all; bisection of the whole range of f64 takes half as many (2¹¹ binary orders, 53 bits).
+/// Bisection of the whole range of f64 takes half as many (2¹¹ binary orders, 53 bits).
 const LIMIT: usize = 2 * (2048 + 64);
 
-/// The part of the way from `a` to `b` at which to look next, from the values at a, b and an earlier point.
 fn interpolated([a, b, c]: [f64; 3], [ya, yb, yc]: [f64; 3]) -> f64 {
     let xi = (a - b) / (c - b);
     let phi = (ya - yb) / (yc - yb);
@@ -105,11 +101,11 @@ fn interpolated([a, b, c]: [f64; 3], [ya, yb, yc]: [f64; 3]) -> f64 {
     }
 }
 
-/// Steps after which [`falling_root`] must have found it: halving alone needs fewer.
+/// Halving alone needs fewer.
 const STEPS: usize = 128;
 
-/// The root of a function that is positive at `low` and negative at `high`, by Newton's method inside a
-/// bracket, from `guess`; `function` returns value and slope. Bounded number of steps.
+/// The root of a function that is positive at `low` and negative at `high`, by Newton's method from `guess`;
+/// `function` returns value and slope.
 pub fn falling_root(
     mut low: f64,
     mut high: f64,
@@ -163,7 +159,6 @@ pub fn falling_root(
 mod tests {
     use super::*;
 
-    /// Function, bracket, root.
     type Case = (fn(f64) -> f64, f64, f64, f64);
 
     #[test]

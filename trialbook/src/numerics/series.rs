@@ -1,9 +1,6 @@
-//! Coefficients of Taylor series, one order at a time.
-//!
-//! A series about t₀ is a slice of coefficients: `a[k]` multiplies (t − t₀)ᵏ. Each function returns the
-//! coefficient `k` of its result from the coefficients up to `k` of what goes in and those below `k` of what
-//! comes out; called for k = 0, 1, 2, … it costs O(k) each time, O(N²) in all (automatic differentiation in
-//! the sense of Moore, as in the integrators TIDES and heyoka).
+//! Coefficients of Taylor series, one order at a time: in a series about t₀, `a[k]` multiplies (t − t₀)ᵏ.
+//! Coefficient `k` of a result comes from those up to `k` of what goes in and those below `k` of what comes
+//! out, in O(k) (Moore).
 
 use super::number::Number;
 use super::roots::falling_root;
@@ -22,11 +19,11 @@ pub fn constant<T: Number, const N: usize>(value: T) -> Series<T, N> {
     })
 }
 
-/// Number of chains of additions that run side by side, since one alone waits for its own last sum.
+/// One chain of additions alone waits for its own last sum.
 const LANES: usize = 4;
 
-/// Σ a_j b_{n−1−j}, j = 0 … n−1, over two slices of equal length n; zero for n = 0. The two terms with the newest
-/// coefficients come last: all others can be summed before these are known.
+/// Σ a_j b_{n−1−j}, j = 0 … n−1, over two slices of equal length n; zero for n = 0. The newest coefficients
+/// come last: all else can be summed before.
 #[inline(always)]
 pub fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
     match (a, b) {
@@ -38,7 +35,7 @@ pub fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
     }
 }
 
-/// The same, in any order.
+/// In any order.
 #[inline(always)]
 fn between<T: Number>(a: &[T], b: &[T]) -> T {
     let (a, a_rest) = a.as_chunks::<LANES>();
@@ -93,8 +90,8 @@ pub fn sqrt<T: Number>(a: &[T], r: &[T], k: usize) -> T {
     (a[k].clone() - symmetric(&r[1..k])) * half
 }
 
-/// Σ j u_j f_{k−j} / k, j = 1 … k: the coefficient `k` of the function whose derivative is u′f. Here and in
-/// what builds on it, `u` may be shorter than k + 1: what it lacks is zero.
+/// Σ j u_j f_{k−j} / k, j = 1 … k: the coefficient `k` of the function whose derivative is u′f. What `u`
+/// lacks up to k + 1, here and in what builds on it, is zero.
 #[inline(always)]
 fn chain<T: Number>(u: &[T], f: &[T], k: usize) -> T {
     if let [_, slope] = u {
@@ -167,7 +164,7 @@ pub fn change<T: Number>(a: &[T], t: &T) -> T {
     value(&a[1..], t) * t.clone()
 }
 
-/// [`change`] of several series at once: no sum waits for the last one of its own series.
+/// [`change`] of several series at once.
 #[inline(always)]
 pub fn changes<T: Number, const D: usize, const N: usize>(
     series: &[Series<T, N>; D],
@@ -182,8 +179,8 @@ pub fn changes<T: Number, const D: usize, const N: usize>(
     sums.map(|sum| sum * t.clone())
 }
 
-/// The distance from the centre, up to `h`, over which a series that never falls on the way changes by `amount`:
-/// 0 or `h` where it does so before or only later.
+/// The distance from the centre, up to `h`, over which a series that never falls changes by `amount`: 0 or
+/// `h` where it does so before or only later.
 pub fn arrival(a: &[f64], amount: f64, h: f64) -> f64 {
     if amount <= 0.0 {
         return 0.0;

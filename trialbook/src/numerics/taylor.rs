@@ -1,10 +1,6 @@
-//! An adaptive integrator by Taylor series of high order.
-//!
-//! A [`System`] gives, order by order, the coefficients of its derivative from those of its state, so that a
-//! step starts with the whole series of the motion about its beginning. The last two coefficients tell how far
-//! the series can be trusted (Jorba and Zou, "A software package for the numerical integration of ODEs by means
-//! of high-order Taylor methods", Exp. Math. 14, 2005, section 3.2): nothing is tried and rejected. Times and
-//! states are summed with a carry, so that long runs lose only what single steps lose.
+//! An adaptive integrator by Taylor series of high order, whose last two coefficients tell how far to trust
+//! them (Jorba and Zou, "A software package for the numerical integration of ODEs by means of high-order
+//! Taylor methods", Exp. Math. 14, 2005, section 3.2). Times and states are summed with a carry.
 
 use super::{
     error::NumericsError,
@@ -13,7 +9,7 @@ use super::{
     series::{Series, changes, value},
 };
 
-/// Number of coefficients that serves f64 well: order 26.
+/// Order 26 serves f64 well.
 pub const TERMS: usize = 27;
 
 /// A system of `D` ordinary differential equations x′ = f(t, x), by its series of `N` terms.
@@ -37,7 +33,6 @@ pub enum Control {
     Largest,
 }
 
-/// The work of a step: all coefficients, order by order.
 struct Expansion<'e, S, T, const D: usize, const N: usize>
 where
     T: Number,
@@ -93,8 +88,7 @@ impl<T: Number, const D: usize, const N: usize> Step<T, D, N> {
         }
     }
 
-    /// State at a distance from the beginning of the step (dense output): as good as the nodes for distances
-    /// from 0 to `h`.
+    /// State at a distance from the beginning of the step, as good as the nodes for distances from 0 to `h`.
     pub fn at(&self, distance: &T) -> [T; D] {
         std::array::from_fn(|i| value(&self.series[i], distance))
     }
@@ -134,8 +128,8 @@ where
         }
     }
 
-    /// Goes on from a state, with the carries and the work space with which an earlier integration
-    /// [finished](Self::finish), for a system that does not depend on the time itself.
+    /// Goes on with what an earlier integration [finished](Self::finish), for a system that does not depend
+    /// on the time.
     pub fn resume(
         system: &'a S,
         state: [T; D],
@@ -149,7 +143,7 @@ where
         }
     }
 
-    /// The state reached, what rounding has taken from each component, and the work space.
+    /// The state, what rounding has taken from each component, and the work space.
     pub fn finish(self) -> ([T; D], ([T; D], S::Work)) {
         (self.state, (self.carry, self.work))
     }
@@ -170,8 +164,7 @@ where
         self.carry[component] = T::from_f64(0.0);
     }
 
-    /// Fills a step, empty or no longer needed, with the series about the present state and the length (positive)
-    /// over which it holds.
+    /// Fills a step with the series about the present state and the length (positive) over which it holds.
     ///
     /// # Errors
     /// [`NumericsError::NotFinite`] when the state or a coefficient is infinite or NaN.
@@ -208,8 +201,7 @@ where
         Ok(())
     }
 
-    /// Goes the distance `step.h` (finite, either sign) along a step that [`expand`](Self::expand) has just
-    /// given.
+    /// Goes `step.h` (finite, either sign) along a step that [`expand`](Self::expand) has just given.
     pub fn advance(&mut self, step: &Step<T, D, N>) {
         let h = T::from_f64(step.h);
         let deltas = changes(&step.series, &h);
@@ -220,14 +212,12 @@ where
     }
 }
 
-/// How far a series may be trusted: the largest h at which its last two terms are below the tolerance times
-/// one of its first four terms. The first four begin where they are not all zero; where the last two are zero, all of
-/// the last eight count. Infinite for a series that ends before.
+/// How far a series may be trusted: the largest h at which its last two terms (the last eight, where those
+/// are zero) are below the tolerance times one of its first four, from where these begin; may be infinite.
 pub fn reach<T: Number>(x: &[T]) -> f64 {
     libm::exp2(log2_reach(x, T::TOLERANCE_LOG2))
 }
 
-/// Binary logarithm of the [`reach`].
 #[inline(always)]
 fn log2_reach<T: Number>(x: &[T], tolerance: f64) -> f64 {
     // The exponent field of zero stands for −∞; no quotient with it is the largest.
@@ -257,7 +247,7 @@ fn log2_reach<T: Number>(x: &[T], tolerance: f64) -> f64 {
     least
 }
 
-/// Binary logarithm of the magnitude to within 0.09, from the bits of the number; −∞ for zero.
+/// To within 0.09, from the bits of the number; −∞ for zero.
 #[inline(always)]
 fn log2<T: Number>(x: &T) -> f64 {
     let bits = x.magnitude().to_bits();
@@ -269,7 +259,7 @@ fn log2<T: Number>(x: &T) -> f64 {
 /// A finished integration: its steps in order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path<const D: usize, const N: usize> {
-    /// The steps; the last one ends at the end of the integration.
+    /// The last one ends at the end of the integration.
     pub steps: Vec<Step<f64, D, N>>,
     /// State at the end.
     pub end: [f64; D],
@@ -302,7 +292,7 @@ impl<const D: usize, const N: usize> Path<D, N> {
     }
 }
 
-/// Integrates `system` from time `from` to time `to`, forwards or backwards, and keeps all steps.
+/// Integrates `system` from `from` to `to`, forwards or backwards, and keeps all steps.
 ///
 /// # Errors
 /// [`NumericsError::Argument`] for a time that is not finite, [`NumericsError::NotFinite`] when the state

@@ -10,11 +10,11 @@ use super::{
 pub(super) const TICK_SIZE: f64 = 15.0;
 pub(super) const TEXT_SIZE: f64 = 16.0;
 
-/// Sizes that an axis can show lie below this, spans (and values on a logarithmic axis) above its
-/// inverse: so that no step or ratio overflows.
+/// Sizes lie below this, spans (and values on a logarithmic axis) above its inverse: no step or ratio
+/// overflows.
 const LARGEST: f64 = 1e280;
 
-/// An axis as asked for: its label, and what is not left to the data.
+/// An axis as asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     pub(super) label: String,
@@ -25,10 +25,9 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// A linear axis. Its ends are ticks around the data, or the data's own where
-    /// [`ticks`](Axis::ticks) are chosen, unless [`range`](Axis::range) sets them.
-    /// The label may hold a little mathematics: `v_x`, `A t/v_0`, `10^{-3}`; a lone letter is a
-    /// quantity, single quotes keep it upright.
+    /// A linear axis. Its ends are ticks around the data, or the data's own with chosen
+    /// [`ticks`](Axis::ticks), unless [`range`](Axis::range) sets them. The label may hold a little
+    /// mathematics: `v_x`, `A t/v_0`, `10^{-3}`; single quotes keep a lone letter upright.
     pub fn linear(label: impl Into<String>) -> Self {
         Axis {
             label: label.into(),
@@ -53,8 +52,7 @@ impl Axis {
         self
     }
 
-    /// Sets the ticks and their labels: `[(0.0, "0"), (PI, "π")]`. Those outside the range are left
-    /// out; an empty label makes a small tick.
+    /// Sets the ticks and their labels: `[(0.0, "0"), (PI, "π")]`; an empty label makes a small tick.
     pub fn ticks<L: Into<String>>(mut self, ticks: impl IntoIterator<Item = (f64, L)>) -> Self {
         let ticks = ticks.into_iter().map(|(at, label)| Tick {
             at,
@@ -70,7 +68,7 @@ impl Axis {
         self
     }
 
-    /// Refuses a value that the axis cannot show; one that is not finite is a gap, not an error.
+    /// One that is not finite is a gap, not an error.
     pub(super) fn check(&self, value: f64) -> Result<(), FigureError> {
         if self.log && value.is_finite() && value <= 0.0 {
             return Err(FigureError::NotPositive {
@@ -81,7 +79,6 @@ impl Axis {
         Ok(())
     }
 
-    /// Fixes ends and ticks, `about` so many, from the values to be drawn.
     pub(super) fn settle(
         &self,
         values: impl Iterator<Item = f64>,
@@ -144,7 +141,7 @@ impl Axis {
         })
     }
 
-    /// Ends around data from `low` to `high`; a single value gets room on both sides.
+    /// A single value gets room on both sides.
     fn around(&self, low: f64, high: f64, about: usize) -> (f64, f64) {
         match (self.log, narrow(low, high)) {
             (true, true) => ticks::around_log(low / 2.0, high * 2.0),
@@ -156,12 +153,11 @@ impl Axis {
     }
 }
 
-/// True if `low` and `high` are too close to be told apart on an axis between them.
+/// Too close to be told apart on an axis between them.
 fn narrow(low: f64, high: f64) -> bool {
     high - low <= (1e-9 * low.abs().max(high.abs())).max(1.0 / LARGEST)
 }
 
-/// An axis with its ends, its ticks and its place on the page.
 #[derive(Debug, Clone)]
 pub(super) struct Scale {
     pub label: String,
@@ -170,7 +166,6 @@ pub(super) struct Scale {
     pub from: f64,
     pub to: f64,
     ticks: Vec<Tick>,
-    /// Where `from` and `to` lie.
     pub pixels: (f64, f64),
 }
 
@@ -178,7 +173,6 @@ pub(super) struct Scale {
 const FAR: f64 = 1e7;
 
 impl Scale {
-    /// Where a value lies; NaN for one that is not finite.
     pub(super) fn at(&self, value: f64) -> f64 {
         if !value.is_finite() {
             return f64::NAN;
@@ -193,26 +187,23 @@ impl Scale {
         (a + fraction * (b - a)).clamp(-FAR, FAR)
     }
 
-    /// Width of the widest tick label.
     pub(super) fn label_width(&self) -> f64 {
         let widths = self.ticks.iter().map(|tick| width(&tick.label, TICK_SIZE));
         widths.fold(0.0, f64::max)
     }
 
-    /// Half the width of the last tick label, which hangs over the end of a horizontal axis.
+    /// It hangs over the end of a horizontal axis.
     pub(super) fn overhang(&self) -> f64 {
         self.ticks
             .last()
             .map_or(0.0, |tick| width(&tick.label, TICK_SIZE) / 2.0)
     }
 
-    /// True if zero lies inside, so that a line there means something.
     fn crosses_zero(&self) -> bool {
         !self.log && self.from < 0.0 && self.to > 0.0
     }
 }
 
-/// Grid, axes, ticks and labels around the box between the two scales' pixels.
 pub(super) fn frame(x: &Scale, y: &Scale) -> String {
     let (left, right) = x.pixels;
     let (bottom, top) = y.pixels;
@@ -270,7 +261,6 @@ pub(super) fn frame(x: &Scale, y: &Scale) -> String {
     )
 }
 
-/// A line of text; nothing for an empty label.
 pub(super) fn text(x: f64, y: f64, anchor: &str, label: &str) -> String {
     if label.is_empty() {
         return String::new();

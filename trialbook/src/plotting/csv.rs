@@ -2,8 +2,8 @@
 
 use super::FigureError;
 
-/// What a row of a table is made of: a number, written with 12 significant digits and left empty if it is not finite; a whole
-/// number, written in full; words; or several of these.
+/// What a row of a table is made of: a number (12 significant digits, empty if not finite), a whole number,
+/// words; or several of these.
 pub trait Cells {
     /// Adds them to a row, each as it is written.
     fn add_to(&self, row: &mut Vec<String>);
@@ -75,13 +75,11 @@ tuples! { () (A B) (A B C) (A B C D) }
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     columns: usize,
-    /// The names of the columns, and the rows.
     cells: Vec<Vec<String>>,
 }
 
 impl Table {
-    /// An empty table; each header names a quantity and its unit: `"t (s)"`, `"v_x (v_0)"`. A
-    /// quantity without a unit in brackets is dimensionless.
+    /// An empty table; each header names a quantity and its unit, if it has one: `"t (s)"`, `"v_x (v_0)"`.
     pub fn new(headers: &[&str]) -> Self {
         Table {
             columns: headers.len(),
@@ -124,7 +122,7 @@ impl Table {
         rows.map(|row| row.iter().map(number).collect()).collect()
     }
 
-    /// The same, by what stands in the first column: numbers from small to large, words in order.
+    /// The same, by what stands in the first column, in order.
     pub fn groups(&self) -> Vec<Vec<Vec<f64>>> {
         let mut groups: Vec<(&str, Vec<Vec<f64>>)> = Vec::new();
         for (cells, row) in self.cells().iter().zip(self.numbers()) {
@@ -156,7 +154,7 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// `value` rounded to 12 significant digits, without superfluous zeros; nothing if it is not finite.
+/// To 12 significant digits, without superfluous zeros; nothing if it is not finite.
 fn number(value: f64) -> String {
     let mut out = String::new();
     if !value.is_finite() {

@@ -6,10 +6,10 @@ use super::{
     text::width,
 };
 
-/// Side of a cell of the map of what is taken, in units of the page.
+/// In units of the page.
 const CELL: f64 = 2.0;
 
-/// Which cells of a panel are taken, and by whom: 0 nobody, else a mark's number.
+/// By 0 nobody, else a mark's number.
 pub(super) struct Canvas {
     frame: Frame,
     columns: usize,
@@ -18,7 +18,6 @@ pub(super) struct Canvas {
 }
 
 impl Canvas {
-    /// An empty map of the frame.
     pub(super) fn new(frame: Frame) -> Self {
         let cells = |from: f64, to: f64| ((to - from) / CELL).max(0.0) as usize + 1;
         let (columns, rows) = (
@@ -33,7 +32,6 @@ impl Canvas {
         }
     }
 
-    /// Takes the cells along polylines.
     pub(super) fn lines(&mut self, pieces: &[Vec<Place>], owner: u16) {
         for pair in pieces.iter().flat_map(|piece| piece.windows(2)) {
             let (dx, dy) = (pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]);
@@ -46,7 +44,6 @@ impl Canvas {
         }
     }
 
-    /// Takes a box.
     pub(super) fn take(&mut self, frame: Frame, owner: u16) {
         let (i0, j0) = self.cell([frame.left, frame.top]);
         let (i1, j1) = self.cell([frame.right, frame.bottom]);
@@ -65,12 +62,10 @@ impl Canvas {
         )
     }
 
-    /// True if nobody has taken any of a box.
     pub(super) fn is_free(&self, frame: Frame) -> bool {
         self.taken(frame, 0).0 == 0
     }
 
-    /// How many cells of a box are taken by anyone, and by others than `owner`.
     fn taken(&self, frame: Frame, owner: u16) -> (usize, usize) {
         let (i0, j0) = self.cell([frame.left, frame.top]);
         let (i1, j1) = self.cell([frame.right, frame.bottom]);
@@ -84,8 +79,7 @@ impl Canvas {
         counts
     }
 
-    /// The best centre for a label beside one of the anchors, each with its cost; takes its box.
-    /// None without anchors.
+    /// Each anchor has a cost; takes the label's box. None without anchors.
     pub(super) fn place(
         &mut self,
         label: &str,
@@ -128,7 +122,6 @@ impl Canvas {
         Some(centre)
     }
 
-    /// The nearest centre for which the box lies in the frame.
     fn inward(&self, centre: Place, half: Place) -> Place {
         let clamp = |at: f64, from: f64, to: f64, half: f64| at.min(to - half).max(from + half);
         [
@@ -138,7 +131,6 @@ impl Canvas {
     }
 }
 
-/// The box around a place, half as wide and half as high as this.
 pub(super) fn around(centre: Place, half: Place) -> Frame {
     Frame {
         left: centre[0] - half[0],
@@ -148,7 +140,6 @@ pub(super) fn around(centre: Place, half: Place) -> Frame {
     }
 }
 
-/// Places along a curve where its label may stand: those near the wanted fraction cost least.
 pub(super) fn anchors(pieces: &[Vec<Place>], wanted: f64) -> Vec<(Place, f64)> {
     let near = |k: i32| {
         let fraction = f64::from(k) / 25.0;

@@ -19,7 +19,7 @@ pub struct Node {
     pub title: String,
     /// Where a click leads.
     pub href: String,
-    /// Class for the style sheet, and the sign and words that say the same without colour.
+    /// Class for the style sheet.
     pub class: &'static str,
     /// Sign before the name.
     pub sign: &'static str,
@@ -38,9 +38,8 @@ const BOX: [f64; 2] = [55.0, 18.0];
 const STEP: [f64; 2] = [64.0, 23.0];
 const MARGIN: f64 = 8.0;
 const LANE_HEAD: f64 = 27.0;
-/// Size of the type: the whole map is as wide as a page, and is read at that.
+/// The whole map is as wide as a page, and is read at that.
 const SIZE: f64 = 12.0;
-/// Room for the sign, and between the words and the frame.
 const SIGN: f64 = 22.0;
 const RIM: f64 = 4.0;
 /// As many boxes of a number as the longest words are wide.
@@ -55,7 +54,6 @@ const WIDEST: usize = 15;
 pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
     let columns = columns(nodes);
     let names: Vec<_> = nodes.iter().zip(&columns).map(named).collect();
-    // The rows of each lane, and which columns of each are taken.
     let mut filled: Vec<Vec<BTreeSet<usize>>> = vec![Vec::new(); lanes.len()];
     let mut cells = Vec::new();
     for ((node, column), (_, span)) in nodes.iter().zip(&columns).zip(&names) {
@@ -148,7 +146,7 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
     })
 }
 
-/// The column of each node: one more than that of any node of its lane that it rests on.
+/// One more than that of any node of its lane that it rests on.
 fn columns(nodes: &[Node]) -> Vec<usize> {
     let mut columns = vec![0; nodes.len()];
     // As often as the longest chain could ask for; a ring, which the claims' tests forbid, ends here too.
@@ -169,13 +167,12 @@ fn columns(nodes: &[Node]) -> Vec<usize> {
     columns
 }
 
-/// How wide a box is that takes so many columns.
 fn across(span: usize) -> f64 {
     STEP[0] * span as f64 - (STEP[0] - BOX[0])
 }
 
-/// What a box that begins in a column says, and how many columns it takes: its number; else its title, or, where that is too
-/// long, the words of its id, or as many of them as fit.
+/// Its number; else its title, or, where that is too long, as many words of its id as fit; and how many
+/// columns that takes.
 fn named((node, column): (&Node, &usize)) -> (String, usize) {
     let room = |span: usize| across(span) - SIGN - RIM;
     let longest = WIDEST.saturating_sub(*column).clamp(2, LONGEST);
@@ -198,7 +195,6 @@ fn named((node, column): (&Node, &usize)) -> (String, usize) {
     (begun.unwrap_or_default().to_owned(), longest)
 }
 
-/// A node's box with its sign and its name.
 fn drawn(node: &Node, i: usize, [x, y]: [f64; 2], (name, span): &(String, usize)) -> String {
     let shaken = if node.shaken { " shaken" } else { "" };
     let whole = [node.name.as_str(), node.title.as_str()].join(" ");

@@ -3,21 +3,15 @@
 use super::svg::Colour;
 use std::borrow::Borrow;
 
-/// How a line is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stroke {
-    /// Without a break.
     Solid,
-    /// Dashes.
     Dashed,
-    /// Dots.
     Dotted,
-    /// Dashes and dots in turn.
     DashDotted,
 }
 
 impl Stroke {
-    /// The pattern of a series, so that series differ without colour.
     fn of(series: usize) -> Self {
         [
             Stroke::Solid,
@@ -27,7 +21,6 @@ impl Stroke {
         ][series % 4]
     }
 
-    /// What one calls it.
     pub(super) fn name(self) -> &'static str {
         match self {
             Stroke::Solid => "solid",
@@ -37,7 +30,7 @@ impl Stroke {
         }
     }
 
-    /// The value of `stroke-dasharray` for round ends.
+    /// For round ends.
     pub(super) fn pattern(self) -> Option<&'static str> {
         match self {
             Stroke::Solid => None,
@@ -48,7 +41,6 @@ impl Stroke {
     }
 }
 
-/// Words beside a mark: what, and how far along it they are wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Label {
     pub text: String,
@@ -59,7 +51,6 @@ fn listed(points: impl IntoIterator<Item: Borrow<[f64; 2]>>) -> Vec<[f64; 2]> {
     points.into_iter().map(|point| *point.borrow()).collect()
 }
 
-/// What curves, points and areas have alike.
 macro_rules! alike {
     ($($mark:ident),*) => {$(
         impl $mark {
@@ -69,7 +60,7 @@ macro_rules! alike {
                 self
             }
 
-            /// An entry in the key below the panel, where there is no room for a label.
+            /// An entry in the key, where there is no room for a label.
             pub fn key(mut self, text: impl Into<String>) -> Self {
                 self.key = Some(text.into());
                 self
@@ -138,7 +129,7 @@ impl Curve {
         self
     }
 
-    /// Arrowheads in the direction of the points' order, at these fractions of the visible length.
+    /// Arrowheads at these fractions of the visible length.
     pub fn arrows(mut self, fractions: &[f64]) -> Self {
         self.arrows = fractions.to_vec();
         self
@@ -283,7 +274,6 @@ impl Area {
 pub struct Rule {
     pub(super) horizontal: bool,
     pub(super) at: f64,
-    /// Everything of the curve that it is drawn as, but its points.
     pub(super) line: Curve,
 }
 

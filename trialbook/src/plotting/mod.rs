@@ -1,22 +1,15 @@
-//! Figures: functions from data to a drawing with its numbers.
+//! Figures: functions from plain data to a [`Figure`]: an SVG text, the same numbers as CSV, a caption and a
+//! description in words. A figure never computes physics; the same data give the same bytes.
 //!
-//! A figure never computes physics. Whoever calls it integrates, counts or bisects, and hands plain
-//! data over; a function turns them into a [`Figure`]: an SVG
-//! text, the same numbers as CSV, a caption and a description in words. The same data give the same
-//! bytes.
+//! A [`Plot`] is a grid of [`Panel`]s; a panel has two [`Axis`] and a list of marks: [`Curve`], [`Points`],
+//! [`Area`], [`Raster`], [`Rule`], [`Note`]. Three habits hold everywhere:
 //!
-//! The drawing tools are small. A [`Plot`] is a grid of [`Panel`]s; a panel has two [`Axis`] and a
-//! list of marks: [`Curve`], [`Points`], [`Area`], [`Raster`], [`Rule`], [`Note`]. Three habits hold
-//! everywhere:
-//!
-//! - *Ink follows the page.* Text and axes are drawn in `currentColor`, series in CSS variables
-//!   `--fig-1` to `--fig-6` whose fall-backs are legible on white and on near-black. Colour is never
-//!   alone: a series also has its own dash pattern or marker, and a label beside it.
-//! - *A gap is a gap.* A point with a coordinate that is not finite interrupts a curve and is not
-//!   marked; it is not an error, since a trajectory that ends is ordinary. A value ≤ 0 on a
-//!   logarithmic axis is one ([`FigureError::NotPositive`]): there the caller has lost a sign.
-//! - *Nothing is wider than a phone.* A panel is 480 units wide with type of 15 and 16 units, which
-//!   is 12 pixels or more on a screen of 390; panels stand below each other unless asked otherwise.
+//! - *Ink follows the page.* Text and axes are drawn in `currentColor`, series in CSS variables `--fig-1` to
+//!   `--fig-6`; a series also has its own dash pattern or marker, and a label beside it.
+//! - *A gap is a gap.* A point that is not finite interrupts a curve; a value ≤ 0 on a logarithmic axis is an
+//!   error ([`FigureError::NotPositive`]): there the caller has lost a sign.
+//! - *Nothing is wider than a phone.* A panel is 480 units wide with type of 15 and 16 units; panels stand
+//!   below each other unless asked otherwise.
 //!
 //! ```
 //! use trialbook::plotting::{Axis, Curve, Panel, Plot, Table};
@@ -66,11 +59,11 @@ pub struct Figure {
     pub id: &'static str,
     /// What a reader should see in it; formulas in `$…$`.
     pub caption: String,
-    /// What it shows, in words for those who do not see it. Plain text.
+    /// What it shows, in plain words, for those who do not see it.
     pub alt: String,
-    /// The drawing: one `<svg>` element without blank lines, to stand in a page or in a file.
+    /// The drawing: one `<svg>` element without blank lines.
     pub svg: String,
-    /// The data drawn: a header with names and units, then rows, 12 significant digits.
+    /// The data: a header with names and units, then rows, 12 significant digits.
     pub csv: String,
 }
 

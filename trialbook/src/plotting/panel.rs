@@ -18,8 +18,7 @@ enum Mark {
     Raster(Raster),
 }
 
-/// Two axes and the marks between them. Rasters and areas lie lowest, then grid and axes, then the
-/// rest in the order in which it was added.
+/// Two axes and the marks between them: rasters and areas lowest, then grid and axes, then the rest in order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
     pub(super) title: String,
@@ -55,7 +54,7 @@ impl Panel {
         self
     }
 
-    /// Makes the units (on logarithmic axes the decades) of both axes equally long.
+    /// Makes the units (on logarithmic axes the decades) of both axes equal.
     pub fn equal(mut self) -> Self {
         self.equal = true;
         self
@@ -97,7 +96,6 @@ impl Panel {
         self
     }
 
-    /// How the lines are drawn of which key or label begins so.
     pub(super) fn strokes(&self, named: &str) -> impl Iterator<Item = &'static str> {
         let lines = self.marks.iter().filter_map(|mark| match mark {
             Mark::Curve(curve) => Some(curve),
@@ -114,7 +112,7 @@ impl Panel {
         lines.filter(is).map(|line| line.stroke.name())
     }
 
-    /// Everything that has a place along x (`0`) or y (`1`).
+    /// Along x (`0`) or y (`1`).
     fn values(&self, axis: usize) -> Vec<f64> {
         let mut values = Vec::new();
         for mark in &self.marks {
@@ -134,7 +132,6 @@ impl Panel {
         values
     }
 
-    /// Fixes both axes, for a panel `width` wide.
     pub(super) fn settle(&self, width: f64) -> Result<(Scale, Scale), FigureError> {
         for mark in &self.marks {
             if let Mark::Raster(raster) = mark {
@@ -150,7 +147,6 @@ impl Panel {
         Ok((x, y))
     }
 
-    /// Height between the axes' ends when they are `width` long.
     pub(super) fn inner_height(
         &self,
         x: &Scale,
@@ -180,7 +176,6 @@ impl Panel {
         }
     }
 
-    /// The entries of the key: a sample and words.
     pub(super) fn key(&self, x: &Scale, y: &Scale) -> Vec<(String, String)> {
         let mut entries = Vec::new();
         let entry = |sample, words: &Option<String>| Some((sample, words.clone()?));
@@ -210,7 +205,6 @@ impl Panel {
         entries
     }
 
-    /// The panel between the scales' pixels, without title and key.
     pub(super) fn draw(&self, x: &Scale, y: &Scale) -> String {
         let mut sketch = Sketch::new(x, y);
         for (mark, owner) in self.marks.iter().zip((1..u16::MAX).cycle()) {

@@ -2,10 +2,8 @@
 
 use super::svg::number;
 
-/// What stands around a panel; the panels follow each other.
 const MARK: [&str; 2] = ["<g data-panel=\"", "</g>\n"];
 
-/// A panel with a mark of the stretch that it takes.
 pub(super) fn mark(top: f64, height: f64, drawn: &str) -> String {
     let [open, close] = MARK;
     format!(
@@ -15,7 +13,7 @@ pub(super) fn mark(top: f64, height: f64, drawn: &str) -> String {
     )
 }
 
-/// The panels of a drawing, each a drawing of its own; one alone is the whole.
+/// The panels of a drawing, each by itself; one alone is the whole.
 pub fn panels(svg: &str) -> Vec<String> {
     let [open, close] = MARK;
     let width = svg

@@ -4,7 +4,6 @@ use super::svg::number;
 
 pub(super) type Place = [f64; 2];
 
-/// The box that is drawn in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Frame {
     pub left: f64,
@@ -14,7 +13,6 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// The box with this much more on every side.
     pub(super) fn grown(self, by: f64) -> Self {
         Frame {
             left: self.left - by,
@@ -28,7 +26,6 @@ impl Frame {
         p[0] >= self.left && p[0] <= self.right && p[1] >= self.top && p[1] <= self.bottom
     }
 
-    /// The four half-planes that make the box: coordinate, bound, and the sign of the inside.
     fn sides(&self) -> [(usize, f64, f64); 4] {
         [
             (0, self.left, 1.0),
@@ -47,7 +44,7 @@ fn distance(a: Place, b: Place) -> f64 {
     libm::hypot(b[0] - a[0], b[1] - a[1])
 }
 
-/// The part of a segment inside the box (Liang and Barsky): its two ends.
+/// Liang and Barsky.
 fn clip_segment(a: Place, b: Place, frame: &Frame) -> Option<(Place, Place)> {
     let (mut enter, mut leave) = (0.0f64, 1.0f64);
     for (axis, bound, sign) in frame.sides() {
@@ -64,7 +61,7 @@ fn clip_segment(a: Place, b: Place, frame: &Frame) -> Option<(Place, Place)> {
     (enter <= leave).then(|| (between(a, b, enter), between(a, b, leave)))
 }
 
-/// The visible pieces of a polyline. A place with a NaN is a gap.
+/// A place with a NaN is a gap.
 pub(super) fn clip(points: &[Place], frame: &Frame) -> Vec<Vec<Place>> {
     let mut pieces: Vec<Vec<Place>> = Vec::new();
     for pair in points.windows(2) {
@@ -84,7 +81,7 @@ pub(super) fn clip(points: &[Place], frame: &Frame) -> Vec<Vec<Place>> {
     pieces
 }
 
-/// The part of a polygon inside the box (Sutherland and Hodgman). Places with a NaN are left out.
+/// Sutherland and Hodgman; places with a NaN are left out.
 pub(super) fn clip_polygon(points: &[Place], frame: &Frame) -> Vec<Place> {
     let mut polygon: Vec<Place> = points
         .iter()
@@ -117,8 +114,7 @@ fn deviation(p: Place, a: Place, b: Place) -> f64 {
     distance(p, between(a, b, along.clamp(0.0, 1.0)))
 }
 
-/// A polyline with fewer vertices, nowhere farther than `tolerance` from those left out (Douglas and
-/// Peucker).
+/// Nowhere farther than `tolerance` from those left out (Douglas and Peucker).
 pub(super) fn simplify(points: &[Place], tolerance: f64) -> Vec<Place> {
     if points.len() < 3 {
         return points.to_vec();
@@ -148,7 +144,7 @@ pub(super) fn simplify(points: &[Place], tolerance: f64) -> Vec<Place> {
         .collect()
 }
 
-/// Path data of open polylines, to a tenth of a unit.
+/// To a tenth of a unit.
 pub(super) fn data(pieces: &[Vec<Place>]) -> String {
     let mut out = String::new();
     for piece in pieces {
@@ -173,7 +169,6 @@ pub(super) fn length(pieces: &[Vec<Place>]) -> f64 {
         .sum()
 }
 
-/// The place a fraction of the whole length along the pieces, and the direction there.
 pub(super) fn along(pieces: &[Vec<Place>], fraction: f64) -> Option<(Place, Place)> {
     let mut left = fraction.clamp(0.0, 1.0) * length(pieces);
     let mut found = None;

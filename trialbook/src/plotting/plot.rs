@@ -9,12 +9,10 @@ use super::{
 };
 use crate::notation::{Says, said};
 
-/// Width of the page, in units of which type is 15 or 16 high.
+/// In units of which type is 15 or 16 high.
 const WIDTH: f64 = 480.0;
 const KEY_LINE: f64 = 25.0;
-/// Sample of the key, with the space after it.
 const KEY_SAMPLE: f64 = 36.0;
-/// Typefaces: those of the formulas around, then what a machine has.
 pub(super) const FACES: &str =
     "KaTeX_Main, KaTeX_Math, 'Latin Modern Roman', 'STIX Two Text', 'Times New Roman', serif";
 
@@ -30,7 +28,6 @@ pub struct Plot {
     fault: Option<FigureError>,
 }
 
-/// A panel with its settled axes and the height of its inner part.
 struct Settled<'a> {
     panel: &'a Panel,
     x: Scale,
@@ -65,8 +62,8 @@ impl Plot {
         self
     }
 
-    /// Writes in the place of each `{{falls|rises}}` in caption and alternative which of the words it is that the figure's numbers say.
-    /// Of `{{falls}}`, or `{{six}}`, they have to say it. `{{line solved}}` needs no numbers: it is how the lines are drawn of which key or
+    /// Writes for each `{{falls|rises}}` in caption and alternative the word that the figure's numbers say;
+    /// `{{falls}}` or `{{six}}` they have to say. `{{line solved}}` is how the lines are drawn whose key or
     /// label begins with `solved`.
     pub fn says<const N: usize>(mut self, words: [&str; N], is: impl Says) -> Self {
         let is = is.says();
@@ -79,7 +76,6 @@ impl Plot {
         self
     }
 
-    /// Puts a word where these stand in braces.
     fn write(&mut self, words: &str, word: &str) -> Result<(), String> {
         let place = format!("{{{{{words}}}}}");
         let texts = [&mut self.caption, &mut self.alt];
@@ -100,7 +96,7 @@ impl Plot {
         }
     }
 
-    /// Writes how lines are drawn, and fails if anything else has not been said.
+    /// Fails if anything else has not been said.
     fn speak(&mut self) -> Result<(), FigureError> {
         if let Some(fault) = self.fault.take() {
             return Err(fault);
@@ -133,8 +129,7 @@ impl Plot {
         Ok(())
     }
 
-    /// Puts panels side by side, 1 to 4 in a row of the same 480 units: for small panels with little
-    /// in them. One column if not set.
+    /// Puts panels side by side, 1 to 4 in a row of the same 480 units; one column if not set.
     pub fn columns(mut self, columns: usize) -> Self {
         self.columns = columns;
         self
@@ -146,8 +141,8 @@ impl Plot {
         self
     }
 
-    /// Draws a panel of curves over the same values, and puts the data beside it: each row has a value and the heights of
-    /// the curves of these names there.
+    /// Draws a panel of curves over the same values, with the data beside it: each row has a value and the
+    /// curves' heights there.
     ///
     /// # Errors
     /// [`FigureError`] where an axis has no range, or a logarithmic one a value that is not positive.
@@ -257,7 +252,6 @@ impl Plot {
 }
 
 impl Settled<'_> {
-    /// Height of what stands above the panel's box.
     fn head(&self) -> f64 {
         let title = if self.panel.title.is_empty() {
             0.0
@@ -267,13 +261,11 @@ impl Settled<'_> {
         title + if self.y.label.is_empty() { 8.0 } else { 28.0 }
     }
 
-    /// Height of what stands below it.
     fn foot(&self) -> f64 {
         let label = if self.x.label.is_empty() { 26.0 } else { 50.0 };
         label + KEY_LINE * self.key.len() as f64
     }
 
-    /// The panel with its title and key, its box having its upper left corner at `x0`, `y0`.
     fn draw(&self, x0: f64, y0: f64) -> String {
         let group = format!("<g fill=\"currentColor\" font-size=\"{TEXT_SIZE}\">\n");
         let mut out = String::new();
@@ -302,7 +294,6 @@ impl Settled<'_> {
     }
 }
 
-/// Breaks the entries of a key into lines; each entry gets its place in the line.
 fn key_lines(entries: Vec<(String, String)>, room: f64) -> Vec<Vec<(f64, String, String)>> {
     let mut lines: Vec<Vec<(f64, String, String)>> = Vec::new();
     let mut at = f64::INFINITY;

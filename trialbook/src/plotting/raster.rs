@@ -1,7 +1,4 @@
-//! Region diagrams and censuses: a rectangle of equal cells, each of one class.
-//!
-//! A class is drawn as one path around all its cells, so that half a million cells cost as many
-//! bytes as their boundaries are long.
+//! Region diagrams and censuses: a rectangle of equal cells, each of one class..
 
 use super::FigureError;
 use super::svg::Colour;
@@ -28,11 +25,10 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// Cells row by row from the lowest y, each row from the lowest x, over `x` = (from, to) and `y`
-    /// = (from, to): the outer edges of the outer cells. A cell is the number of its class or
-    /// [`BLANK`]. On a logarithmic axis cells are equally wide in the logarithm.
-    /// What lies beyond the panel's axes is cut off. [`FigureError::RasterShape`] if the cells do not
-    /// fill `columns` × `rows`, [`FigureError::Range`] if an edge is not finite or from ≥ to.
+    /// Cells row by row from the lowest y, each row from the lowest x, over `x` = (from, to) and `y` = (from,
+    /// to). A cell is the number of its class or [`BLANK`]. On a logarithmic axis cells are equally wide in
+    /// the logarithm. What lies beyond the panel's axes is cut off. [`FigureError::RasterShape`] if the cells
+    /// do not fill `columns` × `rows`, [`FigureError::Range`] if an edge is not finite or from ≥ to.
     pub fn new(
         columns: usize,
         rows: usize,
@@ -66,13 +62,13 @@ impl Raster {
         })
     }
 
-    /// Describes the next class, from class 0 on: a label, the colour of series `n`, the opacity from
-    /// 0 to 1. The label stands inside the class where there is room, else in the key.
+    /// Describes the next class, from class 0 on: a label (inside the class if there is room, else in the
+    /// key), the colour of series `n`, the opacity from 0 to 1.
     pub fn class(self, label: impl Into<String>, n: usize, opacity: f64) -> Self {
         self.described(label.into(), Colour::Series(n), opacity)
     }
 
-    /// The same in the page's text colour, for what must be seen first.
+    /// The same in the page's text colour.
     pub fn ink_class(self, label: impl Into<String>, opacity: f64) -> Self {
         self.described(label.into(), Colour::Ink, opacity)
     }
@@ -101,7 +97,6 @@ impl Raster {
         (self.columns, self.rows)
     }
 
-    /// Refuses a cell of a class that is not described.
     pub(super) fn check(&self) -> Result<(), FigureError> {
         let classes = self.classes.len();
         let unknown = |cell: &&u8| **cell != BLANK && usize::from(**cell) >= classes;
@@ -111,7 +106,6 @@ impl Raster {
         }
     }
 
-    /// The class of the cell in this column and row, if there is such a cell.
     pub(super) fn class_at(&self, column: i64, row: i64) -> Option<usize> {
         let (column, row) = (usize::try_from(column).ok()?, usize::try_from(row).ok()?);
         let known = column < self.columns && row < self.rows;
@@ -122,11 +116,8 @@ impl Raster {
         column < self.columns && row < self.rows && self.cells[row * self.columns + column] == class
     }
 
-    /// Path data around the cells of a class, in units of cells from the lower left corner, to be
-    /// filled by the even-odd rule.
-    ///
-    /// An edge between a cell of the class and another belongs to the outline. At every corner an
-    /// even number of them meet, so a walk that uses each edge once ends where it began.
+    /// In units of cells from the lower left corner, for the even-odd rule. At every corner an even number of
+    /// edges meet, so a walk that uses each edge once ends where it began.
     pub(super) fn outline(&self, class: u8) -> String {
         let (w, h) = (self.columns + 1, self.rows + 1);
         let mut level = vec![false; w * h]; // from corner (i, j) to (i + 1, j)
@@ -148,8 +139,7 @@ impl Raster {
         out
     }
 
-    /// Lower left corner and side of the largest square of cells of one class, in cells; of several
-    /// the one nearest to the middle of the class.
+    /// Lower left corner and side, in cells; of several the one nearest to the middle of the class.
     pub(super) fn largest_square(&self, class: u8) -> Option<(usize, usize, usize)> {
         let (mut count, mut middle) = (0.0f64, [0.0f64; 2]);
         for k in (0..self.cells.len()).filter(|&k| self.cells[k] == class) {
@@ -190,7 +180,7 @@ impl Raster {
     }
 }
 
-/// Walks along unused edges from a corner until there are none, straight on where possible.
+/// Straight on where possible.
 fn walk(level: &mut [bool], upright: &mut [bool], w: usize, start: usize) -> String {
     let mut runs: Vec<(bool, i64)> = Vec::new(); // along x?, by how much
     let mut at = start;
@@ -242,7 +232,7 @@ mod tests {
         Raster::new(columns, rows, (0.0, 1.0), (0.0, 1.0), cells).unwrap()
     }
 
-    /// Fills the path by the even-odd rule, cell by cell: a ray to the left crosses the vertical runs.
+    /// A ray to the left crosses the vertical runs.
     fn filled(path: &str, columns: usize, rows: usize) -> Vec<bool> {
         let mut inside = vec![false; columns * rows];
         for part in path.split('z').filter(|part| !part.is_empty()) {

@@ -16,7 +16,6 @@ const TOLERANCE: f64 = 0.08;
 /// How much room there should be around the name of a region, or at least.
 const MARGINS: [f64; 3] = [9.0, 6.0, 3.0];
 
-/// Words that want room beside a mark.
 struct Wanted<'a> {
     label: &'a Label,
     anchors: Vec<(Place, f64)>,
@@ -24,15 +23,12 @@ struct Wanted<'a> {
     owner: u16,
 }
 
-/// A raster's class whose name wants room inside it.
 struct Region<'a> {
     raster: &'a Raster,
     class: usize,
-    /// The middle of its largest square.
     at: Place,
 }
 
-/// The inner part of a panel in the making.
 pub(super) struct Sketch<'a> {
     x: &'a Scale,
     y: &'a Scale,
@@ -46,7 +42,6 @@ pub(super) struct Sketch<'a> {
 }
 
 impl<'a> Sketch<'a> {
-    /// An empty sketch between the scales' pixels.
     pub(super) fn new(x: &'a Scale, y: &'a Scale) -> Self {
         let frame = Frame {
             left: x.pixels.0,
@@ -71,7 +66,6 @@ impl<'a> Sketch<'a> {
         [self.x.at(p[0]), self.y.at(p[1])]
     }
 
-    /// Draws a curve through these points, with its arrows.
     pub(super) fn curve(&mut self, curve: &'a Curve, points: &[[f64; 2]], owner: u16) {
         let points: Vec<Place> = points.iter().map(|p| self.place(p)).collect();
         let pieces: Vec<Vec<Place>> = path::clip(&points, &self.frame.grown(0.01))
@@ -99,7 +93,6 @@ impl<'a> Sketch<'a> {
         }
     }
 
-    /// Draws a line from end to end of the other axis.
     pub(super) fn rule(&mut self, rule: &'a Rule, owner: u16) {
         let points = if rule.horizontal {
             [self.x.from, self.x.to].map(|end| [end, rule.at])
@@ -109,7 +102,6 @@ impl<'a> Sketch<'a> {
         self.curve(&rule.line, &points, owner);
     }
 
-    /// Draws points.
     pub(super) fn points(&mut self, points: &'a Points, owner: u16) {
         let mut places: Vec<Place> = points.points.iter().map(|p| self.place(p)).collect();
         places.retain(|&p| self.frame.grown(0.01).contains(p));
@@ -127,7 +119,6 @@ impl<'a> Sketch<'a> {
         }
     }
 
-    /// Fills a polygon.
     pub(super) fn area(&mut self, area: &Area) {
         let corners: Vec<Place> = area.points.iter().map(|p| self.place(p)).collect();
         let corners = path::clip_polygon(&corners, &self.frame);
@@ -137,7 +128,6 @@ impl<'a> Sketch<'a> {
         }
     }
 
-    /// Draws the cells of a raster and names the classes that have room.
     pub(super) fn raster(&mut self, raster: &'a Raster) {
         let cells = cells(raster, self.x, self.y);
         let corners = [[raster.x.0, raster.y.0], [raster.x.1, raster.y.1]];
@@ -167,7 +157,7 @@ impl<'a> Sketch<'a> {
         }
     }
 
-    /// The name of a class off all curves: as near to the middle of its largest square as that can be.
+    /// As near to the middle of its largest square as is off all curves.
     fn name(&mut self, region: &Region) -> String {
         let words = &region.raster.classes[region.class].label;
         let free = |at: &Place, margin: f64| {
@@ -190,7 +180,6 @@ impl<'a> Sketch<'a> {
         label(at, words, Colour::Ink)
     }
 
-    /// Writes a note.
     pub(super) fn note(&mut self, note: &Note) {
         let at = self.place(&note.at);
         if self.frame.contains(at) {
@@ -199,7 +188,6 @@ impl<'a> Sketch<'a> {
         }
     }
 
-    /// Everything, with axes, and with labels where there is room for them.
     pub(super) fn finish(mut self) -> String {
         let regions = std::mem::take(&mut self.regions);
         let mut labels: String = regions.iter().map(|region| self.name(region)).collect();
@@ -230,7 +218,6 @@ impl<'a> Sketch<'a> {
     }
 }
 
-/// Words around a place, in a colour.
 fn label(at: Place, words: &str, colour: Colour) -> String {
     format!(
         "<text x=\"{}\" y=\"{}\" style=\"fill:{}\">{}</text>\n",
@@ -280,12 +267,10 @@ fn fill(data: &str, colour: Colour, opacity: f64) -> String {
     )
 }
 
-/// The sample of a tint in the key.
 pub(super) fn sample(colour: Colour, opacity: f64) -> String {
     fill("M4 -12h22v14h-22z", colour, opacity)
 }
 
-/// All points of a set as one path.
 pub(super) fn marker(points: &Points, places: &[Place]) -> String {
     if places.is_empty() {
         return String::new();
@@ -322,7 +307,6 @@ pub(super) fn marker(points: &Points, places: &[Place]) -> String {
     }
 }
 
-/// The cells of a raster: one path per class, in units of cells, moved and stretched into place.
 fn cells(raster: &Raster, x: &Scale, y: &Scale) -> String {
     let ([left, bottom], [across, upwards]) = cell(raster, x, y);
     let paths: String = raster
@@ -343,7 +327,6 @@ fn cells(raster: &Raster, x: &Scale, y: &Scale) -> String {
     )
 }
 
-/// The corner of a raster at its least values, and the sides of a cell.
 fn cell(raster: &Raster, x: &Scale, y: &Scale) -> (Place, Place) {
     let (columns, rows) = raster.shape();
     let (left, right) = (x.at(raster.x.0), x.at(raster.x.1));
@@ -355,7 +338,6 @@ fn cell(raster: &Raster, x: &Scale, y: &Scale) -> (Place, Place) {
     ([left, bottom], sides)
 }
 
-/// Where the label of a raster's class stands, if it fits inside.
 pub(super) fn inside(raster: &Raster, class: usize, x: &Scale, y: &Scale) -> Option<Place> {
     let label = &raster.classes.get(class)?.label;
     let number = u8::try_from(class).ok().filter(|&n| n != BLANK)?;
@@ -371,7 +353,6 @@ pub(super) fn inside(raster: &Raster, class: usize, x: &Scale, y: &Scale) -> Opt
     (fits && !label.is_empty()).then_some(at)
 }
 
-/// True if all of a box is inside a raster's class.
 fn covers(raster: &Raster, class: usize, room: &Frame, x: &Scale, y: &Scale) -> bool {
     let (columns, rows) = raster.shape();
     let cell = |at: f64, (from, to): (f64, f64), count: usize| {

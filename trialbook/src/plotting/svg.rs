@@ -1,7 +1,6 @@
 //! The last step: numbers, words and colours as SVG text.
 
-/// A coordinate with at most two decimals, never `-0`; `0` for what is not finite (a width or an
-/// opacity that makes no sense).
+/// At most two decimals, never `-0`; `0` for what is not finite.
 pub(super) fn number(value: f64) -> String {
     if !value.is_finite() {
         return "0".into();
@@ -15,7 +14,7 @@ pub(super) fn number(value: f64) -> String {
     }
 }
 
-/// Text between tags or in a quoted attribute; characters that XML forbids are dropped.
+/// Between tags or in a quoted attribute; characters that XML forbids are dropped.
 pub(super) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -32,22 +31,18 @@ pub(super) fn escape(text: &str) -> String {
     out
 }
 
-/// Colours of the series when the page sets no `--fig-n`: each at least 3 : 1 against white and
-/// against `#1e1e1e`.
+/// Each at least 3 : 1 against white and against `#1e1e1e`.
 pub(super) const PALETTE: [&str; 6] = [
     "#2a7ab8", "#d1601f", "#1c8f63", "#9a63c2", "#a07a10", "#c74d86",
 ];
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Colour {
-    /// The page's text colour.
     Ink,
-    /// The colour of a series; counted from 0, repeats after six.
     Series(usize),
 }
 
 impl Colour {
-    /// The CSS value.
     pub(super) fn css(self) -> String {
         match self {
             Colour::Ink => "currentColor".into(),
@@ -87,7 +82,7 @@ mod tests {
         );
     }
 
-    /// Relative luminance, as the Web Content Accessibility Guidelines define it.
+    /// As the Web Content Accessibility Guidelines define it.
     fn luminance(hex: &str) -> f64 {
         let channel = |at: usize| {
             let value = f64::from(u8::from_str_radix(&hex[at..at + 2], 16).unwrap()) / 255.0;

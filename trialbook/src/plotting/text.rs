@@ -1,9 +1,8 @@
 //! Labels with a little mathematics: `v_x`, `λ_0`, `A t/v_0`, `10^{-3}`, `p/τ^2`.
 //!
-//! A lone Latin letter or a small Greek one is a quantity and set in italics; a longer word, a
-//! digit, a capital Greek letter are upright, as is anything between single quotes (`'I'`). `_` and
-//! `^` lower and raise the next character or the next `{…}`. Scripts do not nest. `𝔴` and `φ` look as
-//! `\mathfrak w` and `\phi` do in the formulas around.
+//! A lone Latin or small Greek letter is set in italics; words, digits, capital Greek letters and anything
+//! between single quotes (`'I'`) are upright. `_` and `^` take the next character or the next `{…}`; scripts
+//! do not nest.
 
 use super::svg::escape;
 
@@ -15,11 +14,11 @@ enum Level {
 }
 
 impl Level {
-    /// Height of the type, in units of the base size.
+    /// In units of the base size.
     fn size(self) -> f64 {
         if self == Level::Base { 1.0 } else { 0.7 }
     }
-    /// How far the base line is lowered, in units of the base size.
+    /// In units of the base size.
     fn drop(self) -> f64 {
         match self {
             Level::Base => 0.0,
@@ -43,7 +42,6 @@ struct Run {
     level: Level,
 }
 
-/// The label as the content of a `<text>` element.
 pub(super) fn markup(label: &str) -> String {
     let mut out = String::new();
     let mut level = Level::Base;
@@ -73,7 +71,7 @@ pub(super) fn markup(label: &str) -> String {
     out
 }
 
-/// Roughly how wide the label is at this type size, rather too wide than too narrow.
+/// Rather too wide than too narrow.
 pub(super) fn width(label: &str, size: f64) -> f64 {
     runs(label)
         .iter()
@@ -81,7 +79,7 @@ pub(super) fn width(label: &str, size: f64) -> f64 {
         .sum()
 }
 
-/// Width of a character in units of the type size, for a serif face.
+/// In units of the type size, for a serif face.
 fn advance(c: char) -> f64 {
     match c {
         '\u{300}'..='\u{36f}' => 0.0,
@@ -130,7 +128,7 @@ fn runs(label: &str) -> Vec<Run> {
     out
 }
 
-/// Where `wanted` is next found, or the end.
+/// The end if it is nowhere.
 fn position(chars: &[char], from: usize, wanted: char) -> usize {
     let rest = &chars[from..];
     rest.iter()
@@ -138,7 +136,6 @@ fn position(chars: &[char], from: usize, wanted: char) -> usize {
         .map_or(chars.len(), |k| from + k)
 }
 
-/// Splits into quantities and everything else.
 fn words(out: &mut Vec<Run>, chars: &[char], level: Level) {
     let mut i = 0;
     while i < chars.len() {
@@ -166,7 +163,6 @@ fn words(out: &mut Vec<Run>, chars: &[char], level: Level) {
     }
 }
 
-/// Adds to the last run where the style is the same.
 fn push(out: &mut Vec<Run>, chars: &[char], face: Face, level: Level) {
     match out.last_mut() {
         Some(last) if last.face == face && last.level == level => last.text.extend(chars),

@@ -1,28 +1,24 @@
-//! Where an axis has its ticks: at whole multiples of 1, 2 or 5 times a power of ten, or at powers
-//! of ten.
+//! Where an axis has its ticks: at multiples of 1, 2 or 5 times a power of ten.
 
-/// An end this close to a tick, in steps, counts as on it.
+/// In steps: an end this close to a tick counts as on it.
 const SLACK: f64 = 1e-6;
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tick {
-    /// The value.
     pub at: f64,
-    /// What is written there; empty for a small tick between others.
+    /// Empty for a small tick between others.
     pub label: String,
 }
 
-/// `mantissa · 10^exponent`, correctly rounded.
 fn decimal(mantissa: i64, exponent: i32) -> f64 {
     format!("{mantissa}e{exponent}").parse().unwrap_or(f64::NAN)
 }
 
-/// A step of 1, 2 or 5 times a power of ten.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Step(i64, i32);
 
 impl Step {
-    /// The step that divides `span` > 0 into about `about` parts, rather fewer.
+    /// Into about `about` parts, rather fewer, of `span` > 0.
     pub(super) fn dividing(span: f64, about: usize) -> Self {
         let raw = span / about.max(1) as f64;
         let exponent = libm::floor(libm::log10(raw)) as i32;
@@ -55,7 +51,6 @@ impl Step {
         )
     }
 
-    /// The smallest interval with multiples as ends that holds `low` < `high`.
     pub(super) fn around(self, low: f64, high: f64) -> (f64, f64) {
         let step = self.size();
         (
@@ -65,7 +60,6 @@ impl Step {
     }
 }
 
-/// Ticks of a linear axis from `from` to `to` at the multiples of a step.
 pub(super) fn linear(from: f64, to: f64, step: Step) -> Vec<Tick> {
     let (first, last) = step.inside(from, to);
     let size = libm::floor(libm::log10(from.abs().max(to.abs()))) as i32;
@@ -77,7 +71,7 @@ pub(super) fn linear(from: f64, to: f64, step: Step) -> Vec<Tick> {
         .collect()
 }
 
-/// `mantissa · 10^exponent` as a label on an axis whose largest number is of the order `10^size`.
+/// On an axis whose largest number is of the order `10^size`.
 fn written(mantissa: i64, exponent: i32, size: i32) -> String {
     if mantissa == 0 {
         return "0".into();
@@ -101,7 +95,6 @@ fn power(exponent: i32) -> String {
     }
 }
 
-/// Ticks of a logarithmic axis from `from` > 0 to `to`.
 pub(super) fn log(from: f64, to: f64, about: usize) -> Vec<Tick> {
     let (low, high) = (libm::log10(from), libm::log10(to));
     let (first, last) = (
@@ -147,8 +140,7 @@ pub(super) fn log(from: f64, to: f64, about: usize) -> Vec<Tick> {
     }
 }
 
-/// The interval around data on a logarithmic axis: ends at 1, 2 or 5 times a power of ten, at powers of ten alone
-/// if the interval is wider than a hundred.
+/// Ends at 1, 2 or 5 times a power of ten, at powers of ten alone if the interval is wider than a hundred.
 pub(super) fn around_log(low: f64, high: f64) -> (f64, f64) {
     let mantissas: &[i64] = if high / low > 100.0 { &[1] } else { &[1, 2, 5] };
     let near = |x: f64| {

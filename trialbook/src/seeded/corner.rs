@@ -1,4 +1,4 @@
-//! Where an argument is at the edge of what a formula is stated for, and which arguments it is stated for.
+//! Where an argument is at the edge of what a formula is stated for.
 
 use std::fmt;
 

@@ -19,15 +19,13 @@ pub enum Mistake {
     Less,
     /// An inverse function on its other branch: over the upper half of its range, or the lower.
     Branch(bool),
-    /// Not at a place but of the value: as large a part of it too much as one over this number; too little where it is
-    /// negative.
+    /// Of the value, not at a place: one part in this number too much; too little where negative.
     Part(i64),
-    /// Not at a place but of the value: a hundredth too much where the argument of this number is in the corner.
+    /// Of the value, not at a place: a hundredth too much where the argument of this number is in the corner.
     Corner(&'static Corner, usize),
 }
 
 impl Mistake {
-    /// What of the value is too much, as in [`Mistake::Part`], at these arguments.
     pub(super) fn part<S: Scalar>(self, arguments: &[S]) -> Option<i64> {
         match self {
             Mistake::Part(part) => Some(part),
@@ -40,7 +38,7 @@ impl Mistake {
     }
 }
 
-/// A place that an evaluation passes: where an argument is read, or what an operation gives.
+/// A place of an evaluation: where an argument is read, or what an operation gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// The argument of this number is read.
@@ -52,7 +50,6 @@ pub enum Place {
 }
 
 impl Place {
-    /// The mistakes that can be made here, in a formula with so many arguments.
     pub(super) fn mistakes(self, arguments: usize) -> Vec<Mistake> {
         let mut all = vec![Mistake::Sign, Mistake::Factor];
         match self {
@@ -95,9 +92,8 @@ impl Seed {
 
 thread_local! {
     pub static SEED: Cell<Option<Seed>> = const { Cell::new(None) };
-    /// How many places the evaluation has passed, and the one that is wanted.
+    /// And the one that is wanted.
     static PASSED: Cell<(usize, usize)> = const { Cell::new((0, usize::MAX)) };
-    /// That place.
     static PLACE: Cell<Option<Place>> = const { Cell::new(None) };
 }
 
@@ -150,12 +146,10 @@ pub fn places(formula: &'static str, evaluation: impl Fn()) -> Vec<Place> {
     (0..).map_while(pass).collect()
 }
 
-/// An evaluation with the seeded mistake begins.
 pub(super) fn begin() {
     PASSED.set((0, SEED.get().map_or(usize::MAX, |seed| seed.place)));
 }
 
-/// Passes a place: the mistake to make there, if any.
 #[inline]
 pub(super) fn pass(place: Place) -> Option<Mistake> {
     let (passed, wanted) = PASSED.get();

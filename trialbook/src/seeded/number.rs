@@ -12,12 +12,10 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 #[derive(Debug, Clone, Copy)]
 pub struct Seeded<'a, S> {
     value: S,
-    /// Its own number among the arguments, if it is one, and all of them.
     argument: Option<(usize, &'a [S])>,
 }
 
-/// The value of a formula at these arguments, with the mistake that is seeded on this thread. `written` evaluates it
-/// on the numbers that it is given one after the other.
+/// The value of a formula, with the mistake seeded on this thread.
 pub fn evaluate<'a, S: Scalar, V: Parts<Seeded<'a, S>>, R: Parts<S>>(
     arguments: &'a [S],
     written: impl FnOnce(&mut dyn FnMut() -> Seeded<'a, S>) -> V,
@@ -39,7 +37,6 @@ pub fn evaluate<'a, S: Scalar, V: Parts<Seeded<'a, S>>, R: Parts<S>>(
 }
 
 impl<S: Scalar> Seeded<'_, S> {
-    /// The value, as it enters an operation or the result.
     fn read(self) -> S {
         let Some((i, arguments)) = self.argument else {
             return self.value;
@@ -57,7 +54,6 @@ impl<S: Scalar> Seeded<'_, S> {
         }
     }
 
-    /// What an operation gives; `more` and `less` are what it gives by these mistakes.
     fn from(value: S, more: Option<&dyn Fn() -> S>, less: Option<&dyn Fn() -> S>) -> Self {
         let can = [more, less].map(|instead| instead.is_some());
         let instead = match pass(Place::Operation(can)) {
@@ -73,7 +69,7 @@ impl<S: Scalar> Seeded<'_, S> {
         }
     }
 
-    /// An inverse function; `other` is its value on the other branch.
+    /// `other` is its value on the other branch.
     fn inverse(self, f: fn(S) -> S, more: fn(S) -> S, other: impl Fn(S) -> S) -> Self {
         let x = self.read();
         let value = f(x);

@@ -16,14 +16,14 @@ pub struct Formula<S> {
     pub arguments: &'static [&'static str],
     /// How many components each of them has.
     pub lengths: Vec<usize>,
-    /// The letters of its arguments, by the symbols of its file; one for each component of a vector.
+    /// The letters of its arguments; one for each component of a vector.
     pub symbols: Vec<&'static str>,
     /// Its value at as many arguments, component by component.
     pub value: fn(&[S]) -> Vec<S>,
 }
 
 impl<S> Formula<S> {
-    /// The id of the claim that tries it: that of the number in its name, or the one it is declared with.
+    /// The claim that tries it: of the number in its name, or as declared.
     pub fn claim(&self) -> Option<String> {
         let number = self
             .name
@@ -34,7 +34,7 @@ impl<S> Formula<S> {
             .or_else(|| self.tried_in.map(str::to_owned))
     }
 
-    /// Every mistake at every place that the evaluation at these arguments passes.
+    /// Every mistake at every place that the evaluation passes.
     pub fn seeds(&self, arguments: &[S]) -> Vec<Seed> {
         let passed = places(self.path, || drop((self.value)(arguments)));
         let of_place = |(place, kind): (usize, &Place)| {
@@ -50,7 +50,7 @@ impl<S> Formula<S> {
         .collect()
     }
 
-    /// Its inverse functions on their other branches, over either half of their ranges.
+    /// Its inverse functions on their other branches, over either half.
     pub fn branches(&self, arguments: &[S]) -> Vec<Seed> {
         let passed = places(self.path, || drop((self.value)(arguments)));
         let inverse = passed.iter().enumerate();
@@ -99,13 +99,13 @@ impl<S: Scalar, const N: usize> Parts<S> for [S; N] {
 /// A symbol of formulas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Symbol {
-    /// The topic in which the name means this; empty where it means this in every topic that says nothing else.
+    /// The topic in which the name means this; empty where it means this in every other topic.
     pub topic: &'static str,
     /// The argument's name.
     pub argument: &'static str,
     /// Its letter, as plain text.
     pub plain: &'static str,
-    /// The letters of its components; of a pair that is no vector, of the quantity and its rate.
+    /// The letters of its components, or of the quantity and its rate.
     pub parts: &'static [&'static str],
     /// Its letter in LaTeX.
     pub latex: &'static str,
@@ -117,7 +117,7 @@ pub struct Symbol {
     pub claim: &'static str,
 }
 
-/// The symbol that an argument of a formula in the module of this path stands for.
+/// The symbol of an argument of a formula in this module.
 pub fn symbol(all: &'static [Symbol], module: &str, argument: &str) -> Option<&'static Symbol> {
     let topic = module.rsplit("::").next();
     let named = |own: bool| {
@@ -128,8 +128,8 @@ pub fn symbol(all: &'static [Symbol], module: &str, argument: &str) -> Option<&'
     named(true).or_else(|| named(false))
 }
 
-/// The letters of an argument's numbers: its own where it is one number, else those of its parts. An argument that is
-/// not declared keeps its name, once for each number.
+/// The letters of an argument's numbers: its own for one number, else those of its parts; undeclared, its
+/// name for each.
 pub fn letters(
     all: &'static [Symbol],
     module: &str,

@@ -1,4 +1,4 @@
-//! What a trial reads, formulas and shared runs: noted while it runs, so that no name need be believed.
+//! What a trial reads, noted while it runs, so that no name need be believed.
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
@@ -16,16 +16,15 @@ pub struct Read {
     pub failures: usize,
 }
 
-/// So many formulas take turns in a motion.
+/// So many take turns in a motion.
 const TURNS: usize = 6;
 
 thread_local! {
-    /// Formulas that were noted last, while anything watches: most are read many times, by turns.
+    /// Most formulas are read many times, by turns.
     static LAST: Cell<Option<[&'static str; TURNS]>> = const { Cell::new(None) };
     static READ: RefCell<Option<Read>> = const { RefCell::new(None) };
 }
 
-/// What was noted before, until it is put back.
 struct Before(Option<Read>);
 
 impl Before {
@@ -42,7 +41,6 @@ impl Drop for Before {
     }
 }
 
-/// Notes that a formula is read on this thread.
 #[inline]
 pub(super) fn note(formula: &'static str) {
     let Some(mut last) = LAST.get() else { return };
@@ -72,7 +70,7 @@ pub fn of<T>(f: impl FnOnce() -> T) -> (T, Read) {
     (value, READ.take().unwrap_or_default())
 }
 
-/// Notes what was read when something was made that is used now.
+/// Notes what was read when something used now was made.
 pub fn also(read: &Read) {
     READ.with_borrow_mut(|noted| {
         if let Some(noted) = noted {
@@ -95,12 +93,10 @@ mod tests {
 
     symbols &[];
 
-    /// One formula.
     pub fn first<S: Scalar>(x: S) -> S {
         x + x
     }
 
-    /// Another.
     pub fn second<S: Scalar>(x: S) -> S {
         x * x
     }

@@ -6,7 +6,7 @@ use crate::trials::formulas::Formulas;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// The file's first lines: functions that Rocq's library has not.
+/// Functions that Rocq's library has not.
 const HEAD: &str = "\
 (* Every formula of the paper as printed, errors included (eqNN_...), and of what replaces or adds to them (right_...): written by
    `slipbook theorems --formulas` from the formulas that its trials evaluate, and held against them by its tests. *)
@@ -16,13 +16,13 @@ Definition cot x := cos x / sin x.
 Definition coth x := cosh x / sinh x.
 ";
 
-/// Words of the language that no argument may be called.
+/// No argument may be called so.
 const KEYWORDS: [&str; 14] = [
     "as", "at", "end", "exists", "fix", "for", "forall", "fun", "if", "in", "let", "match", "then",
     "with",
 ];
 
-/// How tightly a place binds: what stands in it needs brackets if it binds less.
+/// What stands in a place needs brackets if it binds less.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Level {
     Sum,
@@ -32,7 +32,8 @@ enum Level {
     Atom,
 }
 
-/// Definitions for all formulas: of the corrections, whose paths have `corrections` in them, the names begin with `right`.
+/// Definitions for all formulas; those of the corrections, with `corrections` in their paths, begin with
+/// `right`.
 pub fn definitions(formulas: &[Formula<Expr>], corrections: &str) -> String {
     let mut file = HEAD.to_owned();
     for formula in formulas {
@@ -54,7 +55,6 @@ pub fn definitions(formulas: &[Formula<Expr>], corrections: &str) -> String {
     file
 }
 
-/// The parts of a formula by the names of their definitions.
 fn parts(formula: &Formula<Expr>, corrections: &str) -> Vec<(String, Expr)> {
     let symbols: Vec<_> = formula
         .symbols
@@ -72,7 +72,6 @@ fn parts(formula: &Formula<Expr>, corrections: &str) -> Vec<(String, Expr)> {
     }
 }
 
-/// The claims that try the formulas, by the names of their definitions, and whether these are printed.
 pub(super) fn tried(
     trees: &[Formula<Expr>],
     formulas: &Formulas,
@@ -98,7 +97,6 @@ fn name(formula: &Formula<Expr>, corrections: &str) -> String {
     }
 }
 
-/// The names of the arguments: those that they have in the code, numbered where they are vectors.
 fn arguments(formula: &Formula<Expr>) -> Vec<String> {
     let each = formula.arguments.iter().zip(&formula.lengths);
     let of_one = |(argument, length): (&&str, &usize)| {

@@ -1,4 +1,4 @@
-//! A statement of Rocq as mathematics: what is given, what is supposed, and what holds, in words with formulas between dollar signs.
+//! A statement of Rocq in words, with formulas between dollar signs.
 
 use super::source::{Item, Sources};
 use super::term::Term;
@@ -46,7 +46,6 @@ const KNOWN: [(&str, &str); 21] = [
     ("Rsqr", "$(#1)^2$"),
 ];
 
-/// Functions that LaTeX knows by name.
 const NAMED: [&str; 9] = [
     "sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "coth", "ln",
 ];
@@ -55,7 +54,6 @@ const GREEK: [&str; 22] = [
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu",
     "nu", "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega",
 ];
-/// Greek letters as they are shortened in the files.
 const SHORT: [(&str, &str); 8] = [
     ("lam", "lambda"),
     ("al", "alpha"),
@@ -67,7 +65,7 @@ const SHORT: [(&str, &str); 8] = [
     ("PI", "pi"),
 ];
 
-/// A comment of a file as it is printed: letters by their names as letters, signs as they are read.
+/// A comment of a file as it is printed.
 pub fn spoken(comment: &str) -> String {
     let letter = |word: &str| {
         let own = word.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -107,7 +105,7 @@ pub fn spoken(comment: &str) -> String {
     out
 }
 
-/// Puts statements into words: by the readings that definitions give of themselves, and by the names of the formulas.
+/// Puts statements into words, by the readings that definitions give of themselves.
 pub struct Writer<'a> {
     /// What the files declare.
     pub sources: &'a Sources,
@@ -148,7 +146,6 @@ impl Writer<'_> {
         }
     }
 
-    /// The parts of an "and", each in words.
     fn each(&self, term: &Term) -> Vec<String> {
         match term {
             Term::Joined(first, rest) if rest[0].0 == "/\\" => {
@@ -216,7 +213,6 @@ impl Writer<'_> {
             .join(between)
     }
 
-    /// What is supposed, and what holds then.
     fn condition(&self, term: &Term) -> (String, String) {
         match term {
             Term::Joined(first, rest) if rest[0].0 == "->" => {
@@ -254,7 +250,6 @@ impl Writer<'_> {
         Some(out)
     }
 
-    /// A reading with `#1` for the first thing that it is of.
     fn filled(&self, reading: &str, of: &[Term]) -> String {
         let mut out = reading.to_owned();
         for (i, term) in of.iter().enumerate() {
@@ -317,7 +312,6 @@ impl Writer<'_> {
             Term::Before("-", of) => bracketed(SUM, format!("-{}", self.math(of, PRODUCT))),
             Term::Before("/", of) => bracketed(PRODUCT, format!("\\frac1{{{}}}", self.math(of, 0))),
             Term::Before(_, of) => format!("\\neg({})", self.math(of, 0)),
-            // A function that is given by its value.
             Term::Bound("fun", bound, body) => match bound.as_slice() {
                 [(name, _)] if name == "_" => self.math(body, place),
                 [(name, _)] => bracketed(
@@ -396,7 +390,6 @@ impl Writer<'_> {
     }
 }
 
-/// What stands for a sign.
 fn shown(sign: &str) -> &'static str {
     match sign {
         "*" => "\\,",
@@ -453,7 +446,6 @@ fn letter(name: &str) -> String {
     format!("{own}{index}{}", "'".repeat(primes))
 }
 
-/// The letters of what is bound, in a list.
 fn listed(bound: &[(String, String)]) -> String {
     let kinds: Vec<_> = kinds(bound);
     kinds.join(", ")
@@ -477,13 +469,11 @@ fn kinds(bound: &[(String, String)]) -> Vec<String> {
     parts.collect()
 }
 
-/// A formula of a reading, with what stands for the letters of the definition.
 fn replaced(formula: &str, values: &BTreeMap<&str, String>) -> String {
     let mut out = String::new();
     let mut rest = formula;
     while let Some(first) = rest.chars().next() {
         let word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\'');
-        // What follows `\` is a command.
         let command = first == '\\';
         let length = match command {
             true => {
@@ -505,7 +495,6 @@ fn replaced(formula: &str, values: &BTreeMap<&str, String>) -> String {
     out
 }
 
-/// The names of what a definition is of.
 fn parameters(item: &Item) -> Vec<String> {
     let rest = item
         .text
@@ -536,7 +525,6 @@ fn parameters(item: &Item) -> Vec<String> {
     names
 }
 
-/// How many brackets are open where a word stands in a text.
 fn depth(text: &str, word: &str) -> i32 {
     let at = (word.as_ptr() as usize)
         .wrapping_sub(text.as_ptr() as usize)

@@ -1,4 +1,4 @@
-//! The record of what the kernel has accepted: made of what `coqc` prints, read by whoever says "proved".
+//! The record of what the kernel has accepted, made of what `coqc` prints.
 
 use super::source::{Item, Sources};
 use std::collections::{BTreeMap, BTreeSet};
@@ -51,7 +51,6 @@ pub struct Accepted {
     pub statement: String,
 }
 
-/// The axioms that have a name for all of them.
 const CLASSICAL: [&str; 4] = [
     "sig_not_dec",
     "sig_forall_dec",
@@ -127,14 +126,12 @@ fn head(line: &str) -> Option<Accepted> {
     })
 }
 
-/// What stands before the name of a theorem where `coqc` answers for it.
 const NEXT: &str = "== ";
-/// What stands before the names of theorems where it says on what they rest.
 const ALL: &str = "=== ";
 
-/// A file that asks `coqc` for the statements of these theorems and for what they rest on. Each such question takes a second, so
-/// that all are asked together of which none is recorded to compute; where a file has come to, those that are not recorded
-/// otherwise are asked one by one. What a group rests on is said of each in it: too much, never too little.
+/// A file that asks `coqc` for the statements of these theorems and for what they rest on. A question takes a
+/// second, so theorems not recorded to compute are asked together, each said to rest on all: too much, never
+/// too little.
 pub fn questions(sources: &Sources, theorems: &[&Item], before: &[Accepted]) -> String {
     let path = |item: &Item| {
         format!(
@@ -187,7 +184,7 @@ pub fn questions(sources: &Sources, theorems: &[&Item], before: &[Accepted]) -> 
     asked
 }
 
-/// The record by what `coqc` has answered, and by how long each sentence took: for each file, what `-time` prints.
+/// The record by what `coqc` has answered, and for each file what `-time` prints.
 ///
 /// # Errors
 /// What is missing in the answers.
@@ -267,7 +264,6 @@ fn speaks(sources: &Sources, item: &Item, axioms: &[String]) -> Speaks {
     }
 }
 
-/// A list of axioms, each at the beginning of a line, in short.
 fn axioms_of(list: &str) -> Vec<String> {
     let names = list.lines().filter(|line| !line.starts_with(' '));
     let names = names.filter_map(|line| line.split_whitespace().next());
@@ -285,7 +281,7 @@ fn axioms_of(list: &str) -> Vec<String> {
     all.into_iter().collect()
 }
 
-/// How long the sentences between two places took, by lines `Chars 12 - 40 [Lemma~x] 0.01 secs (…)`.
+/// By lines `Chars 12 - 40 [Lemma~x] 0.01 secs (…)`.
 fn seconds(times: &str, [from, to]: [usize; 2]) -> f64 {
     let of_line = |line: &str| {
         let mut words = line.strip_prefix("Chars ")?.split(' ');

@@ -1,4 +1,4 @@
-//! What files of Rocq declare: theorems, definitions, and which of these a statement speaks of.
+//! What files of Rocq declare, and which of it a statement speaks of.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,7 +15,7 @@ pub struct Item {
     pub about: String,
     /// The sentence, without comments and with single spaces.
     pub text: String,
-    /// The variables, hypotheses and abbreviations of the sections in which it stands.
+    /// What is declared in the sections in which it stands.
     pub context: Vec<String>,
     /// The line in which it begins, from 1.
     pub line: usize,
@@ -23,11 +23,8 @@ pub struct Item {
     pub span: [usize; 2],
 }
 
-/// What declares something that statements may use.
 const MEANINGS: [&str; 5] = ["Definition", "Record", "Fixpoint", "Inductive", "Notation"];
-/// What has a proof.
 const PROVED: [&str; 3] = ["Theorem", "Lemma", "Corollary"];
-/// What holds as long as a section is open.
 const WITHIN: [&str; 7] = [
     "Variable",
     "Variables",
@@ -57,7 +54,6 @@ pub struct Sources {
     /// In the files' order.
     pub items: Vec<Item>,
     meanings: BTreeMap<String, Vec<usize>>,
-    /// The files that a file requires, by their names without folders.
     requires: BTreeMap<String, Vec<String>>,
 }
 
@@ -101,7 +97,7 @@ impl Sources {
         self.items.get(*there.or(all.first())?)
     }
 
-    /// Whether a file requires one of this name, by itself or through others.
+    /// Whether a file requires one of this name, also through others.
     pub fn requires(&self, file: &str, name: &str) -> bool {
         let (mut open, mut known) = (vec![file], BTreeSet::new());
         while let Some(file) = open.pop() {
@@ -135,7 +131,7 @@ impl Sources {
         self.reached(texts.flat_map(names), file, |_, _| true)
     }
 
-    /// What the names in a file mean, and those in what they mean: what is of the same file, or all elsewhere that a file may mean.
+    /// What is of the same file, or all elsewhere that a file may mean.
     fn reached<'a>(
         &'a self,
         named: impl Iterator<Item = &'a str>,
@@ -165,8 +161,8 @@ impl Sources {
         self.used(texts, &item.file)
     }
 
-    /// What a statement of a file speaks of, as `coqc` prints it, and what that speaks of: of a name the one of the same file, or
-    /// those of files that it requires. For readers, without the names that the statement binds: [`Sources::behind`] leaves nothing out.
+    /// What a statement of a file, as `coqc` prints it, speaks of, and what that does, for readers: without
+    /// what it binds. [`Sources::behind`] leaves nothing out.
     pub fn explains<'a>(&'a self, statement: &'a str, file: &'a str) -> Vec<&'a Item> {
         let mut binders = statement.split(':');
         binders.next_back();
@@ -182,7 +178,7 @@ impl Sources {
         all.into_iter().map(|i| &self.items[i]).collect()
     }
 
-    /// A number that is another when the statement, or what it uses, is: of the texts without spaces.
+    /// Another number when the statement's text, or one that it uses, is another but for spaces.
     pub fn mark(&self, item: &Item) -> u64 {
         let used = self.behind(item);
         let mut texts: Vec<String> = used.iter().map(|i| self.items[*i].text.clone()).collect();
@@ -205,15 +201,12 @@ pub fn names(text: &str) -> impl Iterator<Item = &str> {
     words.filter_map(|word| word.trim_end_matches('.').rsplit('.').next())
 }
 
-/// A sentence of a file.
 struct Sentence {
     text: String,
-    /// The comment that ends in the line above it.
     about: String,
     span: [usize; 2],
 }
 
-/// A file in sentences: up to a full stop before white space, comments apart.
 fn sentences(file: &str) -> Vec<Sentence> {
     let mut out = Vec::new();
     let (mut text, mut comment, mut about) = (String::new(), String::new(), String::new());
@@ -267,7 +260,6 @@ fn sentences(file: &str) -> Vec<Sentence> {
 
 fn declared(file: &str, text: &str) -> Vec<Item> {
     let mut items: Vec<Item> = Vec::new();
-    // The open sections, each with what holds in it.
     let mut sections: Vec<Vec<String>> = Vec::new();
     let mut in_proof = false;
     for sentence in sentences(text) {
@@ -328,7 +320,6 @@ mod tests {
         Sources::read([("A.v", text)].into_iter())
     }
 
-    /// By what is of the same file, else of one that is required; what the statement binds is not meant.
     #[test]
     fn a_statement_is_explained_by_what_its_file_knows() {
         let files = [

@@ -15,7 +15,7 @@ pub enum Term {
     Joined(Box<Term>, Vec<(&'static str, Term)>),
     /// A sign before a term: `-`, `/` or `~`.
     Before(&'static str, Box<Term>),
-    /// `forall`, `exists` or `fun`: what is bound, each with what it is, and the term.
+    /// `forall`, `exists` or `fun`: what is bound, with its sort, and the term.
     Bound(&'static str, Vec<(String, String)>, Box<Term>),
     /// `let … := … in …`.
     Let(String, Box<Term>, Box<Term>),
@@ -25,7 +25,7 @@ pub enum Term {
     Tuple(Vec<Term>),
 }
 
-/// The signs, the loosest first; those of a line bind alike.
+/// The loosest first; those of a line bind alike.
 const SIGNS: [&[&str]; 7] = [
     &["->"],
     &["<->"],
@@ -158,7 +158,6 @@ impl<'a> Reader<'a> {
         self.joined(0)
     }
 
-    /// What begins with a word and goes on as far as it can.
     fn open(&mut self) -> Option<Term> {
         if let Some(binder) = BINDERS.into_iter().find(|binder| *binder == self.next()) {
             self.at += 1;

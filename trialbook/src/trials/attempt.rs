@@ -8,24 +8,22 @@ use crate::evidence::Evidence;
 use std::fmt;
 use std::panic::Location;
 
-/// A trial or a proof, with its name, and with what the claim that names it excuses it from. A test asks that each excuse is needed.
+/// A trial or a proof, with its name, and with what the claim that names it excuses it from.
 #[derive(Clone, Copy)]
 pub struct Attempt {
     pub(super) how: How,
-    /// The path, from the crate on.
     pub(super) path: &'static str,
-    /// Where it is listed, which is the file in which it is written.
     pub(super) place: &'static Location<'static>,
-    /// For what it draws its points: its claim, and its number there.
+    /// Its claim, and its number there.
     pub(super) seat: u64,
-    /// Why it notices no mistake in what it reads, or reads nothing, though it agrees: what of the claim no formula says.
+    /// Why it notices no mistake in what it reads, or reads nothing, though it agrees.
     pub idle: Option<&'static str>,
     /// Why it reads no formula of its claim.
     pub elsewhere: Option<&'static str>,
-    /// The formulas of its claim that may be wrong by twice its tolerance without its noticing, by their names.
+    /// The formulas that may be wrong by twice its tolerance without its noticing, by their names.
     pub coarse: &'static [Excuse],
-    /// The formulas of which it, a proof, does not reject every wrong variant, or of another claim's none, by their names; with what
-    /// of them does not enter. Other trials reject what it lets pass.
+    /// The formulas of which this proof does not reject every wrong variant, or of another claim's none, by
+    /// their names.
     pub spared: &'static [Excuse],
 }
 
@@ -36,7 +34,7 @@ pub(super) enum How {
 }
 
 impl Attempt {
-    /// What a function compares; `path` leads to it from the crate on, or ends so.
+    /// What a function compares; `path` leads to it, or ends so.
     #[track_caller]
     pub const fn measured(trial: fn() -> Evidence, path: &'static str) -> Self {
         Self::of(How::Measured(trial), path)
@@ -68,7 +66,7 @@ impl Attempt {
         modules.map_or(self.path, |(at, colons)| &self.path[at + colons.len()..])
     }
 
-    /// The file in which it is written, below the crate's folder, without `.rs`: `src/claims/rest/near`.
+    /// The file in which it is written, below the crate's folder: `src/claims/rest/near`.
     pub fn file(&self) -> &'static str {
         let place = self
             .statement()
@@ -104,9 +102,9 @@ impl fmt::Debug for Attempt {
     }
 }
 
-/// The list of a module's trials: functions, and statements that are proved by reference; or what they are, behind their names:
-/// `eq6_motion = tried(eq6_top, top)`, `&EQ1 = law(eq1_speed)`. Claims name them with the module before: `time::eq13_motion`,
-/// `exact::EQ13`.
+/// The list of a module's trials: functions, and by reference statements that are proved; or what they are,
+/// behind their names: `eq6_motion = tried(eq6_top, top)`, `&EQ1 = law(eq1_speed)`. Claims name them with the
+/// module: `time::eq13_motion`, `exact::EQ13`.
 #[macro_export]
 macro_rules! trials {
     (@ [$($done:expr,)*] $(,)?) => {

@@ -1,7 +1,4 @@
-//! Why a claim fails, with a case in which a reader can see it with paper and pencil.
-//!
-//! The two numbers in its words are computed, the stated one from the printed formula, the found one without it. The judge
-//! reads none of this.
+//! Why a claim fails, with a case to see it with paper and pencil.
 
 use super::compare::Failure;
 use std::panic::Location;
@@ -46,9 +43,9 @@ pub struct ByHand {
     pub case: &'static str,
     /// Digits shown of the numbers.
     pub digits: usize,
-    /// The stated and the found number once more, as expressions that were worked out with paper and pencil, not with the code.
+    /// Both numbers once more, as expressions worked out with paper and pencil.
     pub pencil: [&'static str; 2],
-    /// The other decimals of the texts, by expressions of the same kind.
+    /// The other decimals of the texts, likewise.
     pub decimals: &'static [&'static str],
     /// The numbers.
     pub computed: Numbers,

@@ -3,7 +3,7 @@
 use crate::evidence::Change;
 
 impl Change {
-    /// What differs between two statements in LaTeX: signs alone; letters or numbers that were added to a product; a word or
+    /// What differs between two statements in LaTeX: signs; letters or numbers added to a product; a word or
     /// letter; or more.
     ///
     /// ```
@@ -43,8 +43,8 @@ impl Change {
     }
 }
 
-/// The pieces of the formulas of a text, without brackets: a letter with what stands below it is one. What a formula defines
-/// beside itself does not count.
+/// Without brackets: a letter with what stands below it is one. What a formula defines beside itself does not
+/// count.
 fn pieces(text: &str) -> Vec<String> {
     let parts = match text.contains('$') {
         true => text.split('$').skip(1).step_by(2).collect(),

@@ -1,4 +1,4 @@
-//! How a trial compares: stated value against found value, over many points, into one [`Evidence`].
+//! How a trial compares stated and found values, over many points, into one [`Evidence`].
 
 use super::points::Points;
 pub use super::runs::Failure;
@@ -26,7 +26,7 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// A stated against a found number, which may differ in units of 1.
+    /// A stated against a found number, in units of 1.
     pub fn plain(at: String, stated: f64, found: f64) -> Self {
         Pair {
             at,
@@ -36,8 +36,8 @@ impl Pair {
         }
     }
 
-    /// The difference in units of the scale. Infinite where the claim has no value and the motion has
-    /// one; NaN where our own side has none.
+    /// The difference in units of the scale: infinite where the claim alone has no value, NaN where our own
+    /// side has none.
     pub fn disagreement(&self) -> f64 {
         if !self.found.is_finite() || !self.scale.is_finite() || self.scale <= 0.0 {
             f64::NAN
@@ -49,12 +49,12 @@ impl Pair {
     }
 }
 
-/// The value, where there is one. A run that fails makes its trial fail; this is for what need not have a value, such as a curve that ends.
+/// The value, where there is one: for what need not have one, such as a curve that ends.
 pub fn where_defined<T, E>(found: Result<T, E>) -> Option<T> {
     found.ok()
 }
 
-/// Whether something is so, as a number to compare: 1 if it is, else 0.
+/// 1 if something is so, else 0, to compare.
 pub fn is(truth: bool) -> f64 {
     f64::from(u8::from(truth))
 }
@@ -107,7 +107,7 @@ impl Trial {
         }
     }
 
-    /// Compares at every point; a point where our own side fails makes the evidence NaN and says why.
+    /// Compares at every point; where our own side fails, the evidence is NaN and says why.
     pub fn over<P>(
         &self,
         points: impl IntoIterator<Item = P>,
@@ -117,7 +117,7 @@ impl Trial {
         self.gather(&mut || points.next().map(&mut pair))
     }
 
-    /// The same for cases of which each draws what else it needs, from one stream for all.
+    /// The same for cases that each draw what else they need, from one stream for all.
     pub fn drawn<P>(
         &self,
         cases: impl IntoIterator<Item = P>,
@@ -127,7 +127,7 @@ impl Trial {
         self.over(cases, |case| pair(case, &mut points))
     }
 
-    /// The same for runs and their like, of which `at` tells the point, and `values` what is stated, what is found and the scale.
+    /// The same for runs: `at` tells the point, `values` what is stated, what is found and the scale.
     pub fn each<X, P: Borrow<X>, E: Into<Failure>>(
         &self,
         runs: impl IntoIterator<Item = Result<P, E>>,
@@ -156,7 +156,7 @@ impl Trial {
         self.over(all, |pair| pair)
     }
 
-    /// Compares all pairs that come; compiled once for all.
+    /// Apart from what is generic, to be compiled once.
     fn gather(&self, next: &mut dyn FnMut() -> Option<Result<Pair, Failure>>) -> Evidence {
         let mut evidence = Evidence::new(self.route, self.subject, self.compared, self.tolerance);
         let mut kept = Taken::default();
@@ -170,8 +170,7 @@ impl Trial {
 }
 
 impl Trial {
-    /// Compares a stated with a found number at every point, of coordinates with these names; `scale` is the size of the
-    /// largest term at any of them.
+    /// Compares at every point of these coordinates; `scale` is the size of the largest term at any of them.
     pub fn at<const N: usize>(
         &self,
         names: [&str; N],
@@ -193,7 +192,6 @@ impl Trial {
     }
 }
 
-/// Adds a pair to the evidence, or why there is none; says whether the next one is wanted.
 fn take(evidence: &mut Evidence, kept: &mut Taken, pair: Result<Pair, Failure>) -> bool {
     let pair = match pair {
         Ok(pair) => pair,
@@ -238,15 +236,14 @@ fn take(evidence: &mut Evidence, kept: &mut Taken, pair: Result<Pair, Failure>) 
     true
 }
 
-/// What was taken so far: which points, and what sort of pairs is kept.
 #[derive(Default)]
 struct Taken {
     points: HashSet<u64>,
     sort: Kept,
 }
 
-/// What sort of pairs is kept for readers: those that agree; as soon as one disagrees, those that do; as soon as one does so
-/// plainly, those that do so, for whether others disagree may turn on a last bit.
+/// Those that agree; as soon as one disagrees, those that do; as soon as one does plainly, those: others may
+/// turn on a last bit.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kept {
     #[default]
@@ -256,7 +253,6 @@ pub(super) enum Kept {
 }
 
 impl Kept {
-    /// Keeps a pair, if it is one of the first of its sort, and counts it if it disagrees.
     pub(super) fn keep(&mut self, evidence: &mut Evidence, sample: Sample, disagreement: f64) {
         let tolerance = evidence.tolerance.value;
         let sort = match disagreement {
@@ -275,19 +271,18 @@ impl Kept {
     }
 }
 
-/// How many times the tolerance is plainly beyond it.
 const PLAINLY: f64 = 10.0;
 
 fn with_word(sum: u64, word: u64) -> u64 {
     (sum.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95)
 }
 
-/// How many compared pairs of a measurement are kept for readers: the first ones, so that they do not depend on last bits.
+/// How many compared pairs are kept for readers: the first ones, which do not depend on last bits.
 pub const SAMPLES: usize = 3;
 
 impl Pair {
-    /// A formula's value against a found one, in units of the found one. The formula is evaluated in numbers of twice the
-    /// width: its own rounding does not show, however much it cancels, and asks for no wider scale.
+    /// A formula's value against a found one, in units of that. In numbers of twice the width its own
+    /// rounding does not show.
     pub fn wide(at: String, stated: Double, found: f64) -> Self {
         Pair {
             at,
@@ -303,7 +298,7 @@ impl Pair {
     }
 }
 
-/// What a trial brings, and which formulas it has read for it.
+/// What a trial brings, with the formulas that it has read.
 pub fn noted(trial: impl FnOnce() -> Evidence) -> Evidence {
     let (mut evidence, read) = reading::of(trial);
     if read.failures > 0 && !evidence.worst.is_nan() {
@@ -319,7 +314,6 @@ fn steps(proof: &Proof) -> Vec<String> {
     proof.steps().iter().map(Step::to_string).collect()
 }
 
-/// A proof, for others to rest on.
 pub(super) fn lemma(proof: &Proof) -> Lemma {
     Lemma {
         title: proof.title().to_owned(),
@@ -327,7 +321,7 @@ pub(super) fn lemma(proof: &Proof) -> Lemma {
     }
 }
 
-/// Evidence from a proof, with its steps: it holds or it does not.
+/// Evidence from a proof, with its steps.
 pub fn proved(proof: &Proof, subject: Subject, compared: Compared) -> Evidence {
     // Of two sides that are said to be compared, the proof itself has to compare something.
     let is_idle = compared.found().is_some() && !proof.compares();

@@ -11,8 +11,8 @@ use crate::exact::{Binary, Expr, Function, Node, Obstacle, Proof, Step};
 /// Decimals to which a stated number is held against an enclosure.
 pub const DIGITS: usize = 50;
 
-/// Evidence from a certificate, given as the number of parts that it took. What was proved false disagrees; what
-/// was not proved gives no number.
+/// Evidence from a certificate, as the number of its parts: what was proved false disagrees; what was not
+/// proved gives no number.
 pub fn certified(
     proof: Result<usize, CertifiedError>,
     subject: Subject,
@@ -31,7 +31,7 @@ pub fn certified(
     }
 }
 
-/// The evidence, which rests on these proofs too: each is named, and can be read where it stands.
+/// The evidence, which rests on these proofs too.
 pub fn citing(premises: &[Proof], evidence: Evidence) -> Evidence {
     let named = premises.iter().map(Proof::cited);
     let lemmas = premises
@@ -78,8 +78,7 @@ pub fn resting_on(
     }
 }
 
-/// Evidence from stated numbers and enclosed ones with their names, each to [`DIGITS`] decimals: they agree where they
-/// have a number in common.
+/// Evidence from stated numbers against enclosed ones with their names, each to [`DIGITS`] decimals.
 pub fn numbers<const N: usize>(
     found: [(&'static str, Enclosure); N],
     subject: Subject,
@@ -114,8 +113,7 @@ pub fn numbers<const N: usize>(
     evidence
 }
 
-/// A formula's value on balls, with `symbol` for each of its symbols; `None` where it has none, or where it
-/// is too large.
+/// A formula's value on balls; `None` where it or a symbol has none, or where it is too large.
 pub fn on_balls(formula: Expr, bits: usize, symbol: &dyn Fn(&str) -> Option<Ball>) -> Option<Ball> {
     let of = |x: Expr| on_balls(x, bits, symbol);
     Some(match formula.node() {
@@ -187,7 +185,7 @@ fn any_power(x: &Ball, power: &Ball) -> Option<Ball> {
 
 const LARGEST_POWER: usize = 1000;
 
-/// xⁿ for n of at most [`LARGEST_POWER`] in size.
+/// For n of at most [`LARGEST_POWER`] in size.
 fn whole_power(x: &Ball, n: i64, bits: usize) -> Option<Ball> {
     let factors = usize::try_from(n.unsigned_abs()).ok()?;
     if factors > LARGEST_POWER {

@@ -5,15 +5,13 @@ use super::points::Points;
 use crate::certified::interval::Interval;
 use crate::evidence::{Evidence, Subject};
 
-/// Points of the domain, and as many more near what is excepted, that are looked at.
 const POINTS: usize = 40;
 
-/// How far from what is excepted its neighbours lie, in parts of the domain.
+/// In parts of the domain.
 const NEAR: [f64; 3] = [1e-2, 1e-5, 1e-8];
 
-/// That what a condition excepts has no inside: no point drawn from the ranges of the `coordinates` is excepted, nor any that is
-/// drawn close to one of the `excepted` points, while those are themselves. `holds` says whether the condition holds. The
-/// words say `what` is drawn, and what `alone` is excepted.
+/// That what a condition excepts has no inside: no point drawn from the ranges of the `coordinates` is
+/// excepted, nor any close to an `excepted` one. The words say `what` is drawn, and what `alone` is excepted.
 pub fn no_inside<const N: usize>(
     what: &'static str,
     alone: &'static str,
@@ -47,8 +45,8 @@ pub fn no_inside<const N: usize>(
     whether(compared, coordinates, looked_at)
 }
 
-/// That a law has no value at the `excepted` points, and has one at usual ones, drawn from the ranges of the `coordinates`,
-/// by arithmetic that is exact about what is zero. The words say what `holds` at the usual points, and where the `others` are.
+/// That a law has no value at the `excepted` points, and has one at usual ones, drawn from the ranges of the
+/// `coordinates`, exactly. The words say what `holds` at the usual points, and where the `others` are.
 pub fn no_value<const N: usize>(
     name: &'static str,
     holds: &'static str,
@@ -75,7 +73,7 @@ pub fn no_value<const N: usize>(
     whether(compared, coordinates, looked_at)
 }
 
-/// A coordinate with six decimals, or with as many as show on which side of a round number it is.
+/// With six decimals, or as many as show on which side of a round number it is.
 fn place(x: f64) -> String {
     let from_round = (x - libm::round(1e3 * x) / 1e3).abs();
     match from_round > 0.0 && from_round < 1e-7 {
@@ -84,7 +82,6 @@ fn place(x: f64) -> String {
     }
 }
 
-/// Whether something is so at each point, with whether that is expected.
 fn whether<const N: usize>(
     compared: Compared,
     coordinates: [(&str, [f64; 2]); N],

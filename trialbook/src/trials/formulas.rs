@@ -10,16 +10,16 @@ pub struct Formulas {
     pub numbers: fn() -> Vec<Formula<f64>>,
     /// Their trees, in the same order.
     pub trees: fn() -> Vec<Formula<Expr>>,
-    /// What stands in the path of a formula that replaces a printed one or adds to it, and of no other.
+    /// What stands in the path of a formula that replaces a printed one or adds to it, only.
     pub corrections: &'static str,
-    /// The names of those that say that something vanishes or keeps its value: a constant factor does not make them
-    /// wrong.
+    /// The names of those that say that something vanishes or is constant: a constant factor does not make
+    /// them wrong.
     pub up_to_a_factor: &'static [&'static str],
     /// The names of those that state a sign: a positive factor does not make them wrong.
     pub up_to_a_positive_factor: &'static [&'static str],
     /// The corners in which mistakes are made.
     pub corners: &'static [Corner],
-    /// A random value of the argument of this letter, between 0 and 1, as the formulas are stated for it.
+    /// A random value of the argument of this letter, between 0 and 1.
     pub argument: fn(&str, &mut fastrand::Rng) -> f64,
 }
 
@@ -35,12 +35,12 @@ impl Formulas {
         argument: |_, random| 0.5 + 0.5 * random.f64(),
     };
 
-    /// True if the formula of this path is one of the paper's, false if it replaces one or adds to it.
+    /// The formula of this path is one of the paper's.
     pub fn is_printed(&self, path: &str) -> bool {
         !path.contains(self.corrections)
     }
 
-    /// The formulas that the claim of this id tries, those of the paper first: `paper::topic::eq13_time(λ, A, …) = …`.
+    /// The formulas that this claim tries, the paper's first: `paper::topic::eq13_time(λ, A, …) = …`.
     pub fn of_claim(&self, id: &str) -> Vec<String> {
         let own = (self.trees)().into_iter();
         own.filter(|formula| formula.claim().as_deref() == Some(id))
@@ -70,7 +70,7 @@ macro_rules! formulas_of {
 
 pub use formulas_of;
 
-/// A formula as plain text, components one after the other: written from what the code computes.
+/// A formula as plain text, from what the code computes.
 pub fn text(formula: &Formula<Expr>) -> String {
     let symbols: Vec<_> = formula.symbols.iter().map(|s| Expr::symbol(s)).collect();
     let parts = (formula.value)(&symbols);

@@ -1,8 +1,4 @@
-//! What a claim is, and how it is tried.
-//!
-//! A claim is data, an entry in the file of its topic; a trial is a function that returns
-//! [`Evidence`](crate::evidence::Evidence), or a statement that is proved. Whether a claim holds is not said here: the
-//! [ledger](crate::ledger) judges.
+//! What a claim is, and how it is tried. Whether it holds, the [ledger](crate::ledger) judges.
 
 pub mod attempt;
 pub mod by_hand;
@@ -35,7 +31,7 @@ use {
     values::{Number, Value},
 };
 
-/// Of which commit a record is, by its head `# As of commit …, date: columns`; empty for another head.
+/// Of which commit a record is, by its head `# As of commit …, date: columns`; else empty.
 pub fn as_of(record: &str) -> &str {
     let head = record
         .lines()
@@ -45,7 +41,7 @@ pub fn as_of(record: &str) -> &str {
         .map_or("", |(as_of, _)| as_of)
 }
 
-/// A condition under which a claim is tried, or what else has to be known beside it: how it is read, what we remark.
+/// A condition under which a claim is tried, how it is read, or a remark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Condition {
     /// The condition, as LaTeX inside `$…$` and plain words.
@@ -54,7 +50,6 @@ pub struct Condition {
     pub sort: Sort,
 }
 
-/// What sort of condition it is.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize,
 )]
@@ -65,15 +60,15 @@ pub enum Sort {
     /// The paper does not; it excepts degenerate points: a set with empty interior, or one on which the claim has no value. A
     /// trial on [`Subject::Excepted`](crate::evidence::Subject::Excepted) has to find that.
     Degenerate,
-    /// The paper takes it for granted throughout, so that the book states it once; it excepts degenerate points, as a trial on
-    /// [`Subject::Excepted`](crate::evidence::Subject::Excepted) has to find. A claim that needs nothing else is confirmed.
+    /// Taken for granted throughout and stated once by the book; excepts degenerate points, as
+    /// [`Self::Degenerate`]. A claim that needs nothing else is confirmed.
     Convention,
     /// The paper does not, and what it excepts has an inside.
     Substance,
-    /// How we read words that can be read in more than one way. It is no condition, and has no effect on the verdict.
+    /// How we read words that can be read in more than one way: no effect on the verdict.
     Reading,
-    /// What we add beside the claim. It is no condition either; a trial on
-    /// [`Subject::Remark`](crate::evidence::Subject::Remark) has to find it so.
+    /// What we add beside the claim; a trial on [`Subject::Remark`](crate::evidence::Subject::Remark) has to
+    /// find it so.
     Remark,
 }
 
@@ -91,7 +86,7 @@ impl Sort {
         }
     }
 
-    /// True if the claim needs it, and the paper does not state it with the claim.
+    /// The claim needs it, and the paper does not state it with the claim.
     pub fn is_added(self) -> bool {
         self.is_degenerate() || self == Sort::Substance
     }
@@ -127,7 +122,7 @@ pub struct Claim {
     pub equation: Option<u16>,
     /// What sort of statement it is.
     pub kind: Kind,
-    /// True for a consequence of our own, which is not printed. Its formulas stand where the corrections do.
+    /// A consequence of our own, which is not printed; its formulas stand with the corrections.
     pub ours: bool,
     /// Ids of earlier books whose addresses lead here.
     pub was: &'static [&'static str],
@@ -139,7 +134,7 @@ pub struct Claim {
     pub latex: &'static str,
     /// The statement in plain text, for terminals and snapshots.
     pub plain: &'static str,
-    /// Which part of the statement is which formula of the code, for whoever holds one against the other.
+    /// Which part of the statement is which formula of the code.
     pub reads: &'static [&'static str],
     /// The conditions under which it is stated or has to be read.
     pub conditions: &'static [Condition],
@@ -147,7 +142,7 @@ pub struct Claim {
     pub depends_on: &'static [&'static str],
     /// What replaces it, where it fails.
     pub correction: Option<Correction>,
-    /// Why what its trials prove is enough, in words; empty where the proof itself says it between its steps.
+    /// Why what its trials prove is enough; empty where the proof itself says it.
     pub argument: &'static str,
     /// How it is tried.
     pub trials: &'static [Attempt],
@@ -155,18 +150,18 @@ pub struct Claim {
     pub unproved: Option<&'static str>,
     /// Why it fails, with a case to check by hand.
     pub by_hand: Option<ByHand>,
-    /// Where one sees it fail: the address of an explorer in that state, such as `rest.html#explore-rest?rho=0.5`, and what one
-    /// watches there.
+    /// Where one sees it fail: the address of an explorer, such as `rest.html#explore-rest?rho=0.5`, and what
+    /// one watches there.
     pub watch: Option<[&'static str; 2]>,
     /// The numbers by which it can be found.
     pub values: &'static [Value],
     /// The wrong variants of its formulas that no trial rejects, by their text.
     pub survivors: &'static [Excuse],
-    /// The values of symbols for which it is stated, where those are not all that the symbols can have.
+    /// The values of symbols for which it is stated, where those are not all.
     pub domain: &'static [Corner],
     /// The mistakes in a corner that no measurement notices, by their text.
     pub cornered: &'static [Excuse],
-    /// Its formulas that no measurement reads that agrees, so that none can notice a mistake in a corner of them.
+    /// Its formulas that no agreeing measurement reads.
     pub unread: &'static [Excuse],
 }
 
@@ -197,7 +192,7 @@ impl Claim {
     }
 }
 
-/// A topic: a chapter of the book, and the stem of its files everywhere.
+/// A topic: a chapter of the book, and the stem of its files.
 #[derive(Debug)]
 pub struct Topic {
     /// Stem of the files: `constant`.
@@ -206,9 +201,7 @@ pub struct Topic {
     pub title: &'static str,
     /// The file of its claims.
     pub file: File,
-    /// The conditions and reasons that several topics use.
     shared: Option<File>,
-    /// The trials and proofs of its modules.
     trials: &'static [&'static [Attempt]],
     cases: &'static [Numbers],
     numbers: &'static [Number],
@@ -216,7 +209,7 @@ pub struct Topic {
 }
 
 impl Topic {
-    /// A topic by its stem, its title, its claims and the lists of trials that they name.
+    /// A topic by stem, title, claims and the lists of trials that they name.
     pub const fn new(
         stem: &'static str,
         title: &'static str,
@@ -235,7 +228,7 @@ impl Topic {
         }
     }
 
-    /// The same, which uses conditions and reasons of a file that others use too.
+    /// The same, with conditions and reasons from a file that others use too.
     pub const fn sharing(mut self, file: File) -> Self {
         self.shared = Some(file);
         self
@@ -253,7 +246,7 @@ impl Topic {
         self
     }
 
-    /// Its claims, in the paper's order; read when they are first asked for.
+    /// Its claims, in the paper's order; read when first asked for.
     ///
     /// # Panics
     /// If something is wrong in its file: [`Paper::check`] says what.
@@ -263,7 +256,6 @@ impl Topic {
         claims
     }
 
-    /// Its claims, with the lines from 1 in which their entries begin.
     #[cfg(feature = "book")]
     pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &'static Claim)> {
         let ids = self.read().ids.iter();
@@ -279,7 +271,6 @@ impl Topic {
     }
 }
 
-/// What is wrong, a line each.
 pub(crate) fn listed(faults: &[ReadError]) -> String {
     let lines: Vec<_> = faults.iter().map(ReadError::to_string).collect();
     lines.join("\n")
@@ -300,9 +291,9 @@ pub struct Paper {
     pub topics: &'static [&'static Topic],
     /// The recorded verdicts: a line `id: verdict` for each claim.
     pub record: Text,
-    /// The recorded sheets, each `<topic>/<id>.snap` as `Entry::snapshot` writes it; none if only the verdicts are recorded.
+    /// The recorded sheets, `<topic>/<id>.snap` as `Entry::snapshot` writes them; may be none.
     pub sheets: Folder,
-    /// True if a test puts every wrong variant to the trials, and finds that no other passes than the claims name as survivors.
+    /// A test puts every wrong variant to the trials; no other passes than the claims' survivors.
     pub tries_variants: bool,
     /// The record of a deep run; empty if none was made.
     pub deep: Text,
@@ -321,7 +312,7 @@ impl Paper {
         self.theorems.known(self)
     }
 
-    /// What a paper need not have: all but its title, its topics and its record.
+    /// All but its title, its topics and its record may be blank.
     pub const BLANK: Paper = Paper {
         title: "",
         authors: "",
@@ -345,7 +336,6 @@ impl Paper {
         self.topics.iter().flat_map(of)
     }
 
-    /// The ids of all entries; nothing if a file cannot be read.
     #[cfg(feature = "book")]
     pub(crate) fn ids(&self) -> Option<BTreeSet<&'static str>> {
         let reads = || self.topics.iter().map(|topic| topic.read());
@@ -393,8 +383,8 @@ impl Paper {
         reasons
     }
 
-    /// What is wrong in the files of its claims, all at once: what cannot be read, what they name and is not there, and what
-    /// is there for them to name and they do not.
+    /// What is wrong in the files of its claims: what cannot be read, or is named and not there, or there and
+    /// not named.
     pub fn check(&self) -> Vec<ReadError> {
         let reads = self.topics.iter().map(|topic| (&topic.file, topic.read()));
         let reads: Vec<_> = reads.collect();

@@ -3,14 +3,14 @@
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// The seed of every random point, so that a run can be repeated.
+/// The seed of every random point.
 pub const SEED: u64 = 2026;
 
-/// The round of a deep run: 0 for a usual one.
+/// 0 for a usual one.
 static ROUND: AtomicU64 = AtomicU64::new(0);
 
-/// Has all points drawn from here on belong to the round of this number, each round elsewhere. What trials share is made
-/// once, so this comes before the first trial of a process or not at all.
+/// Has all points drawn from here on belong to this round; only before the first trial of a process, as what
+/// trials share is made once.
 pub fn set_round(round: u64) {
     ROUND.store(round, Ordering::Relaxed);
 }
@@ -21,11 +21,11 @@ pub fn round() -> u64 {
 }
 
 thread_local! {
-    /// For what points are drawn on this thread, and how many streams it has begun.
+    /// For what points are drawn, and how many streams it has begun.
     static SEAT: Cell<Option<[u64; 2]>> = const { Cell::new(None) };
 }
 
-/// Draws points for what has this seat: each stream that `f` begins is its own.
+/// Each stream that `f` begins is the seat's own.
 pub(super) fn seated<T>(seat: u64, f: impl FnOnce() -> T) -> T {
     struct Before(Option<[u64; 2]>);
     impl Drop for Before {
@@ -37,7 +37,6 @@ pub(super) fn seated<T>(seat: u64, f: impl FnOnce() -> T) -> T {
     f()
 }
 
-/// The same for what trials share, whoever asks for it first.
 pub(super) fn shared<T>(f: impl FnOnce() -> T) -> T {
     seated(0, f)
 }
@@ -47,19 +46,17 @@ pub fn others<T>(f: impl FnOnce() -> T) -> T {
     seated(1, f)
 }
 
-/// A number that these words lead to, and next to no others.
 pub(super) fn mixed(words: impl IntoIterator<Item = u64>) -> u64 {
     let mix = |sum, word| fastrand::Rng::with_seed(sum ^ word).u64(..);
     words.into_iter().fold(SEED, mix)
 }
 
-/// Seeded random numbers. A stream is told by its place: the trial by its claim and its number there, and how many streams the
-/// trial has begun; names, files and lines do not matter. What trials share has no claim: there what is drawn, the ends of
-/// every range, tells streams apart, and [`others`].
+/// Seeded random numbers. A stream is told by its trial's claim and number and by how many the trial has
+/// begun; for what trials share, by the ends of every range and [`others`].
 pub struct Points(fastrand::Rng);
 
 impl Points {
-    /// The next stream of the trial, or of the shared runs, that are under way on this thread.
+    /// The next stream of what is under way on this thread.
     pub fn here() -> Self {
         let [seat, begun] = SEAT.get().unwrap_or_default();
         SEAT.set(SEAT.get().map(|_| [seat, begun + 1]));
@@ -75,7 +72,7 @@ impl Points {
         low + (high - low) * self.0.f64()
     }
 
-    /// Uniform in the logarithm between `low` and `high`, both positive.
+    /// Uniform in the logarithm between two positive numbers.
     pub fn log_uniform(&mut self, low: f64, high: f64) -> f64 {
         libm::exp(self.uniform(libm::log(low), libm::log(high)))
     }
@@ -86,8 +83,7 @@ impl Points {
         (0..count).map(point).collect()
     }
 
-    /// The values of a grid as they are given; in later rounds each at random between it and the next larger one, the largest
-    /// between the one before and itself.
+    /// The values of a grid as they are given; in later rounds each at random up to the next larger one.
     pub fn grid(self, values: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let values = values.into_iter().collect();
         match round() {
@@ -117,7 +113,6 @@ impl Points {
 mod tests {
     use super::{Points, others, seated, shared};
 
-    /// Neither the trial's name nor where it is written matters.
     #[test]
     fn each_place_draws_points_of_its_own_and_the_same_ones_again() {
         let draw = |ends: [f64; 2]| Points::here().within(2, [ends]);

@@ -1,4 +1,4 @@
-//! Reads the claims of a topic from its file: TOML, one table for each claim, in the paper's order.
+//! Reads the claims of a topic from its file: TOML, one table for each claim.
 //!
 //! ```toml
 //! section = "2.1"                         # of all claims that name no other
@@ -83,7 +83,6 @@ impl File {
         }
     }
 
-    /// What TOML says of the text, where it does not say where, of this place.
     fn form(&self, at: usize, error: &toml::de::Error) -> ReadError {
         let at = error.span().map_or(at, |span| span.start);
         self.error(self.line(at), Fault::Form(error.message().to_owned()))
@@ -154,34 +153,26 @@ impl Fault {
     }
 }
 
-/// What a file says.
 #[derive(Debug)]
 pub(crate) struct Read {
-    /// The claims.
     pub claims: &'static [Claim],
-    /// The ids of all entries, each with its line, also of those that are no claims.
+    /// Each with its line, also of those that are no claims.
     pub ids: Vec<(usize, &'static str)>,
-    /// The claims that they name, each with its line.
     pub from: Vec<(usize, &'static str)>,
-    /// The ids that they had, each with its line.
     pub was: Vec<(usize, &'static str)>,
-    /// The names that they use.
     pub used: Used,
-    /// What is wrong.
     pub faults: Vec<ReadError>,
-    /// Whether something may be missing of what is named.
+    /// Something may be missing of what is named.
     pub broken: bool,
 }
 
-/// What several claims have in common.
 #[derive(Default)]
 struct Common {
     section: &'static str,
-    /// The line of the section.
     section_line: usize,
     conditions: BTreeMap<Spanned<String>, Said>,
     reasons: BTreeMap<Spanned<String>, String>,
-    /// Whether some of it may be missing, as it cannot be read.
+    /// Some of it may be missing, as it cannot be read.
     broken: bool,
 }
 
@@ -281,12 +272,11 @@ struct Entry {
     unread: BTreeMap<String, Spanned<String>>,
 }
 
-/// A text for as long as the program runs, its lines joined.
+/// Leaked, its lines joined.
 fn text(text: String) -> &'static str {
     text.trim_end().replace('\n', " ").leak()
 }
 
-/// What is wrong with a text, if anything is.
 fn slip(text: &str) -> Option<Fault> {
     let what = match text {
         _ if text.trim().is_empty() => "an empty text",
@@ -308,10 +298,8 @@ fn value<T: for<'de> Deserialize<'de>>(
         .ok()
 }
 
-/// An entry with its id, and with the line in which it begins; nothing where it cannot be read.
 type Row = (usize, &'static str, Option<Entry>);
 
-/// What claims have in common, and the entries in their order.
 fn entries(file: &File, faults: &mut Vec<ReadError>) -> (Common, Vec<Row>) {
     let read = file.text.read().unwrap_or_else(|error| {
         faults.push(file.error(1, Fault::Form(error.to_string())));
@@ -347,10 +335,8 @@ fn entries(file: &File, faults: &mut Vec<ReadError>) -> (Common, Vec<Row>) {
     (common, entries)
 }
 
-/// What names were used, each with what it names.
 pub(super) type Used = BTreeSet<(&'static str, String)>;
 
-/// What a shared file offers and nobody uses.
 pub(super) fn unused(file: &File, used: &BTreeSet<&(&'static str, String)>) -> Vec<ReadError> {
     let (common, entries) = entries(file, &mut Vec::new());
     let section = Some(common.section_line).filter(|line| *line > 0);
@@ -381,7 +367,6 @@ impl Common {
     }
 }
 
-/// What is needed to make sense of the entries of a topic.
 struct Reader<'a> {
     topic: &'a Topic,
     common: Common,
@@ -436,12 +421,10 @@ impl Read {
     }
 }
 
-/// What each of the list stands for, if it does for anything.
 fn each<T, U>(list: impl IntoIterator<Item = T>, of: impl FnMut(T) -> Option<U>) -> &'static [U] {
     list.into_iter().filter_map(of).collect::<Vec<_>>().leak()
 }
 
-/// The pair of numbers of a case by hand.
 const PAIR: &str = "pair of numbers of the case of";
 
 impl Reader<'_> {
@@ -451,7 +434,6 @@ impl Reader<'_> {
         self.faults.borrow_mut().push(fault);
     }
 
-    /// What a name stands for: what was found under it.
     fn named<T>(&self, at: usize, what: &'static str, name: &str, found: Option<T>) -> Option<T> {
         self.used.borrow_mut().insert((what, name.to_owned()));
         let broken = self.common.broken || self.shared.broken;
@@ -461,7 +443,6 @@ impl Reader<'_> {
         found
     }
 
-    /// A text that stands at this place.
     fn text(&self, at: usize, said: String) -> &'static str {
         let said = text(said);
         if let Some(slip) = slip(said) {
@@ -474,7 +455,6 @@ impl Reader<'_> {
         self.text(said.span().start, said.into_inner())
     }
 
-    /// What is common to the claims of the topic, or of several topics.
     fn common<T>(&self, of: impl Fn(&Common) -> Option<&T>) -> Option<&T> {
         of(&self.common).or_else(|| of(&self.shared))
     }
@@ -598,14 +578,12 @@ impl Reader<'_> {
         }
     }
 
-    /// Says that a field has no effect, and why, if it has none.
     fn idle(&self, is: bool, at: usize, field: &'static str, why: &'static str) {
         if is {
             self.fault(at, Fault::Idle { field, why });
         }
     }
 
-    /// The fields that others make idle.
     fn idle_fields(&self, entry: &Entry) {
         let at = |field: &Option<Spanned<String>>| field.as_ref().map(|f| f.span().start);
         let first = |list: &[Spanned<String>]| list.first().map(|f| f.span().start);
@@ -813,7 +791,6 @@ impl Reader<'_> {
         ))
     }
 
-    /// Whether all that there is to be named is named.
     fn all_used(&self, used: &Used) {
         let is_used = |name: &_| used.contains(name);
         let unused = self.common.unused(&self.topic.file, &is_used);
@@ -966,7 +943,6 @@ mod tests {
         ]));
     }
 
-    /// Whatever is wrong is told with its file and line.
     #[test]
     fn a_fault_is_told_with_its_line() {
         for fault in include_str!("read/faults.txt").lines() {
@@ -985,7 +961,7 @@ mod tests {
         }
     }
 
-    /// All at once, each once, however many topics share a file; what is missing as something cannot be read is no fault.
+    /// What is missing as something cannot be read is no fault.
     #[test]
     fn faults_are_gathered() {
         const SHARED: File = File {
@@ -1029,7 +1005,6 @@ mod tests {
         assert!(begins && told.lines().count() == all.len(), "{told}");
     }
 
-    /// A section that no entry takes, and what no shared file has.
     #[test]
     fn what_a_file_says_in_vain_is_told() {
         const OWN: &str = "[s1-a]\nsection = '2'\ntitle = 'a'\nlatex = 'a'";

@@ -1,11 +1,11 @@
-//! Whether evidence has read what it is about: a formula of its own claim, as printed or as corrected.
+//! Whether evidence has read a formula of its own claim.
 
 use super::Claim;
 use super::formulas::Formulas;
 use crate::evidence::{Evidence, Subject};
 
 impl Formulas {
-    /// True if the claim has formulas of the kind that the evidence is about, and none of them was read for it.
+    /// The claim has formulas of the evidence's kind, and none was read for it.
     pub fn is_missing(&self, claim: &Claim, evidence: &Evidence) -> bool {
         // What a condition excepts is a set of motions, whatever the formula says of it; a remark is about something else.
         if matches!(evidence.subject, Subject::Excepted | Subject::Remark) {
@@ -27,7 +27,6 @@ mod tests {
     use crate::seeded::Formula;
     use crate::trials::{Topic, read::File};
 
-    /// The formulas of what is ours stand where the corrections do, and have to be read all the same.
     #[test]
     fn a_claim_of_ours_has_to_read_its_formula() {
         let formulas = Formulas {

@@ -55,17 +55,16 @@ failures!(
     NumericsError
 );
 
-/// What is set up and has not moved yet, such as a drive, and what nothing is compared with: two who use it have read nothing of
-/// each other.
+/// What is set up and has not moved yet, such as a drive: who uses it has read nothing.
 pub trait Setting {}
 
-/// What is made when it is first asked for: motions and their like. The values of formulas are none of it, or a mistake
-/// that is seeded later would not reach the trials that share them.
+/// Motions and their like, made when first asked for. Not the values of formulas: a mistake seeded later
+/// would not reach them.
 #[derive(Debug)]
 pub struct Runs<T: 'static> {
     made: OnceLock<(Result<T, Failure>, Read)>,
     make: fn() -> Result<T, Failure>,
-    /// Where they are declared, which tells them apart; none where they are a setting.
+    /// Tells them apart; none where they are a setting.
     place: Option<&'static Location<'static>>,
 }
 
@@ -114,8 +113,8 @@ impl<T> Runs<T> {
     }
 }
 
-/// What is derived from formulas, once for all who ask: they are noted to have read them too. While a mistake is seeded in
-/// one of these, it is derived anew for everyone.
+/// What is derived from formulas once: who asks has read them. While a mistake is seeded in one, it is
+/// derived anew.
 #[derive(Debug)]
 pub struct Derived<T: 'static> {
     made: OnceLock<(T, Read)>,
@@ -154,7 +153,7 @@ pub fn every<T, E: Into<Failure>>(
     found.map(|one| one.map_err(Into::into)).collect()
 }
 
-/// One part after the other of what is found; if it is not, the reason in place of the first.
+/// One part after the other of what is found, or the reason.
 pub fn parts<I: IntoIterator, E: Into<Failure>>(
     whole: Result<I, E>,
 ) -> impl Iterator<Item = Result<I::Item, Failure>> {
@@ -182,7 +181,7 @@ pub fn only<T, E>(
 }
 
 impl<T> Runs<Vec<T>> {
-    /// One run after the other; if there are none, the reason in place of the first.
+    /// One run after the other, or the reason.
     pub fn each(&'static self) -> impl Iterator<Item = Result<&'static T, Failure>> {
         parts(self.get())
     }
@@ -251,7 +250,6 @@ mod tests {
         }
     }
 
-    /// By who makes them and by who is served them later.
     #[test]
     fn what_went_into_shared_runs_is_noted_by_all_who_use_them() {
         struct Set(f64);

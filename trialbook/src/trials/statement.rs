@@ -1,4 +1,4 @@
-//! A statement that can be proved: formulas, what is said of them, and the proof, in one value that rows name.
+//! A statement that can be proved: formulas, what is said of them, and the proof, in one value.
 
 use super::compare::proved;
 use crate::evidence::{Compared, Evidence, Subject};
@@ -16,9 +16,9 @@ pub struct Statement<F = crate::exact::Expr> {
     pub compared: Compared,
     /// The formulas as the code has them.
     pub formulas: fn() -> F,
-    /// Tries to prove what is said, of formulas that stand in their place.
+    /// Tries to prove what is said, of formulas in their place.
     pub prove: fn(F) -> Proof,
-    /// True if it says a part of the claim only, as in [`Evidence::partial`].
+    /// It says a part of the claim only, as in [`Evidence::partial`].
     pub partial: bool,
     /// Where it is written.
     pub place: &'static Location<'static>,
@@ -43,7 +43,7 @@ impl<F> Statement<F> {
         }
     }
 
-    /// A statement in which no two sides are compared, by what it says, written where this is called.
+    /// A statement without two sides, by what it says, written where this is called.
     #[track_caller]
     pub const fn shown(
         subject: Subject,
@@ -78,7 +78,7 @@ pub trait Proved: Sync {
     /// The paths of the formulas of which it speaks.
     fn speaks_of(&self) -> BTreeSet<&'static str>;
 
-    /// The proof with a mistake in the formulas of which it speaks, and in nothing else that it reads.
+    /// The proof with a mistake in the formulas of which it speaks, and in nothing else.
     fn with_mistake(&self, mistake: Seed) -> Proof;
 
     /// The proof of the formulas as they stand.

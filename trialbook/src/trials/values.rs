@@ -1,4 +1,4 @@
-//! The numbers by which a claim can be found: computed, each with the claim that it belongs to.
+//! The numbers by which a claim can be found.
 
 mod search;
 
@@ -15,7 +15,6 @@ use crate::seeded::reading::{self, Read};
 use std::panic::Location;
 use std::sync::OnceLock;
 
-/// How a number is computed; its words are in the entry of its claim.
 #[derive(Debug, Clone, Copy)]
 pub struct Number {
     /// Short name for the pages: `lambda-c`.
@@ -95,7 +94,7 @@ impl Value {
         }
     }
 
-    /// The number; whoever watches notes what it was computed from, now or before.
+    /// The number; whoever watches notes what it was computed from.
     ///
     /// # Errors
     /// A motion that cannot be followed, an enclosure that is not proved.
@@ -127,7 +126,7 @@ impl Value {
         Ok(format!("{:.*}", self.decimals, self.number()?))
     }
 
-    /// How many significant digits are known: more than [`KNOWN`] of a number that is enclosed to any number of digits.
+    /// How many significant digits are known: of an enclosed number more than [`KNOWN`].
     pub fn known(&self) -> usize {
         // With few decimals a number such as 7/2 lies half-way between two, and no bounds tell which is nearer.
         match self.exactly(ENCLOSED) {
@@ -136,7 +135,7 @@ impl Value {
         }
     }
 
-    /// The number to all [known](Self::known) digits, rounded; a decimal fraction that is shorter, as it stands.
+    /// The number to all [known](Self::known) digits, rounded; a shorter decimal fraction as it stands.
     ///
     /// # Errors
     /// A motion that cannot be followed.
@@ -155,7 +154,8 @@ impl Value {
         self.cut(self.known())
     }
 
-    /// The number to so many significant digits if they can be had, and at least to all [known](Self::known) ones; cut off.
+    /// To so many significant digits if they can be had, and at least to all [known](Self::known) ones; cut
+    /// off.
     fn cut(&self, significant: usize) -> Result<String, Failure> {
         let value = self.number()?;
         // Some digits more, so that rounding does not reach those that are kept.
@@ -171,7 +171,6 @@ impl Value {
         Ok(text)
     }
 
-    /// Its decimals to so many places after the point, correctly rounded, where they can be had.
     fn exactly(&self, places: usize) -> Option<String> {
         match (self.enclosure, self.closed) {
             (Some(enclosure), _) => enclosure.decimal(places).ok(),
@@ -181,13 +180,12 @@ impl Value {
     }
 }
 
-/// Places after the point at which a number has so many significant digits.
 fn places(value: f64, significant: usize) -> usize {
     let power = libm::floor(libm::log10(value.abs())) as i64;
     usize::try_from(significant as i64 - 1 - power).unwrap_or(0)
 }
 
-/// Decimals to so many places after the point; fewer if the number ends before them, for as far as can be told.
+/// Fewer if the number ends before them, for as far as can be told.
 fn shortest(places: usize, decimals: impl Fn(usize) -> Option<String>) -> Option<String> {
     // One that ends with a 5 half-way between two is no longer half-way at its last place.
     let mut enough = places..places + 2;
@@ -201,7 +199,7 @@ fn shortest(places: usize, decimals: impl Fn(usize) -> Option<String>) -> Option
     })
 }
 
-/// An expression's decimals to so many places after the point, correctly rounded; nothing where it cannot be enclosed.
+/// Correctly rounded; nothing where it cannot be enclosed.
 fn decimal(form: &str, places: usize) -> Option<String> {
     let formula = expression(form, fraction).ok()?;
     // What the parts lose by their size, or by being nearly alike, more bits bring back.
@@ -209,7 +207,7 @@ fn decimal(form: &str, places: usize) -> Option<String> {
     bits.find_map(|bits| on_balls(formula, bits, &|_| None)?.decimal(places))
 }
 
-/// A decimal number as the fraction that it is; nothing for one with a large exponent.
+/// Nothing for one with a large exponent.
 fn fraction(text: &str) -> Option<Expr> {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
@@ -232,8 +230,8 @@ fn fraction(text: &str) -> Option<Expr> {
 /// The largest power of ten in an expression.
 const FARTHEST: i64 = 300;
 
-/// Significant digits that every value is good for: the least come from a bisection on a motion.
+/// Significant digits of every value; the least come from a bisection on a motion.
 pub const KNOWN: usize = 11;
 
-/// Significant digits that are shown of a number that can be enclosed to any number of them.
+/// Significant digits shown of a number that can be enclosed.
 pub const ENCLOSED: usize = 20;

@@ -1,4 +1,4 @@
-//! Wrong variants of the formulas: each differs from its formula in a single place, and in what it states.
+//! Wrong variants: each differs from its formula in a single place, and in what it states.
 
 use super::Paper;
 use super::formulas::{Formulas, text};
@@ -44,7 +44,6 @@ impl Formulas {
             .collect()
     }
 
-    /// The wrong variants of one formula, which is given for trees and for numbers.
     fn of(&self, tree: &Formula<Expr>, number: &Formula<f64>) -> Vec<Variant> {
         let Some(claim) = number.claim() else {
             return Vec::new();
@@ -69,7 +68,7 @@ impl Formulas {
         found
     }
 
-    /// True if a factor makes the formula wrong: it is not zero, and no two sides that are compared.
+    /// True if a factor makes the formula wrong.
     pub fn has_a_size(&self, formula: &Formula<f64>) -> bool {
         let name = formula.name;
         let sample = self.sample(formula);
@@ -85,7 +84,6 @@ impl Formulas {
         (0..20).map(|_| self.point(formula, &mut random)).collect()
     }
 
-    /// Arguments between 0 and 1, as the formula is stated for them.
     fn point(&self, formula: &Formula<f64>, random: &mut fastrand::Rng) -> Vec<f64> {
         let letters = formula.symbols.iter();
         letters
@@ -93,7 +91,6 @@ impl Formulas {
             .collect()
     }
 
-    /// True if the values state the same as the right ones, wherever those are finite.
     fn same(&self, formula: &str, right: &[Vec<f64>], values: &[Vec<f64>]) -> bool {
         let pairs = || {
             let all = right.iter().flatten().zip(values.iter().flatten());
@@ -110,8 +107,8 @@ impl Formulas {
 }
 
 impl Paper {
-    /// Every formula with its inverse functions on another branch over half of their range, and with a mistake of a
-    /// hundredth in each corner that its claim is stated for.
+    /// Every formula with its inverse functions on another branch over half of their range, and with a
+    /// mistake of a hundredth in each of its claim's corners.
     pub fn corners(&self) -> Vec<Variant> {
         let all = &self.formulas;
         let stated: BTreeMap<_, _> = self
@@ -157,13 +154,11 @@ impl Paper {
     }
 }
 
-/// True if what is stated there is stated in the corner.
 fn is_stated(domain: &[Corner], corner: &Corner) -> bool {
     let own = domain.iter().find(|part| part.letter == corner.letter);
     own.is_none_or(|part| part.meets(corner))
 }
 
-/// Where an inverse function is on the other branch.
 fn branch(number: usize, mistake: Mistake) -> String {
     let half = if mistake == Mistake::Branch(true) {
         "upper"

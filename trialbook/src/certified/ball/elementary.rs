@@ -1,4 +1,4 @@
-//! π, the sine and the cosine, the inverse sine, the exponential function and the logarithm, to any number of bits.
+//! π and the elementary functions, to any number of bits.
 
 use super::Ball;
 use crate::certified::{interval::Interval, root::refine};
@@ -9,12 +9,12 @@ use dashu_int::{IBig, UBig};
 /// Of arguments from 2 to the power of this on, the sine and the cosine are not told.
 const LARGEST: usize = 32;
 
-/// Of arguments from 2 to the power of this on, the exponential function is not told.
+/// Likewise for the exponential function.
 const LARGEST_POWER: usize = 10;
 
 impl Ball {
-    /// The circle's ratio, by the series of the Chudnovskys,
-    /// 1/π = 12 Σ (−1)ᵏ (6k)! (13591409 + 545140134 k) / ((3k)! k!³ 640320^(3k+3/2)).
+    /// π, by the series of the Chudnovskys, 1/π = 12 Σ (−1)ᵏ (6k)! (13591409 + 545140134 k) / ((3k)! k!³
+    /// 640320^(3k+3/2)).
     pub fn pi(bits: usize) -> Self {
         // Terms alternate and fall by more than 2⁴⁷ each: what is left out is below the first one left out.
         let terms = (bits / 47 + 2) as u64;
@@ -72,7 +72,7 @@ impl Ball {
         })
     }
 
-    /// The inverse sine; `None` unless the ball lies between −1 and 1 and not too close to them, or is one of them.
+    /// The inverse sine; `None` unless the ball lies between −1 and 1 and not too close to them, or is one.
     pub fn asin(&self) -> Option<Self> {
         let one = Self::int(1, self.bits);
         if *self == one || *self == -&one {
@@ -165,7 +165,7 @@ impl Ball {
     }
 }
 
-/// P, Q and T of the terms from `a` up to `b`: the sum of the terms is T/Q, and the next one has the factor P/Q.
+/// Of the terms from `a` up to `b`: their sum is T/Q, and the next one has the factor P/Q.
 fn chudnovsky(a: u64, b: u64) -> [IBig; 3] {
     if b - a == 1 {
         let k = IBig::from(a);
@@ -180,7 +180,7 @@ fn chudnovsky(a: u64, b: u64) -> [IBig; 3] {
     [p * p2, q * q2, t]
 }
 
-/// The sine of t (in units 2⁻ʷᵒʳᵏ, below 1/4), by its series, and by how many units it may be off.
+/// Of t in units 2⁻ʷᵒʳᵏ, below 1/4; and by how many units it may be off.
 fn sine_of_small(t: IBig, work: usize) -> (IBig, UBig) {
     let square = (&t * &t) >> work;
     let (mut sum, mut term) = (t.clone(), t);
@@ -194,7 +194,7 @@ fn sine_of_small(t: IBig, work: usize) -> (IBig, UBig) {
     (sum, UBig::from(k + 4))
 }
 
-/// The exponential function of t (in units 2⁻ʷᵒʳᵏ, below 1/8), by its series, and by how many units it may be off.
+/// Of t in units 2⁻ʷᵒʳᵏ, below 1/8; and by how many units it may be off.
 fn exponential_of_small(t: IBig, work: usize) -> (UBig, UBig) {
     let (mut sum, mut term) = (IBig::ONE << work, IBig::ONE << work);
     let mut k = 1u32;

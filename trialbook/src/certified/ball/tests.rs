@@ -160,7 +160,6 @@ fn small_balls() -> impl Iterator<Item = Ball> + Clone {
     })
 }
 
-/// The ends in units of 2⁻⁸.
 fn ends(ball: &Ball) -> [i64; 2] {
     let unit = 1 << (8 - ball.bits);
     ball.bounds().map(|end| i64::try_from(end).unwrap() * unit)

@@ -1,4 +1,4 @@
-//! A set of starts that is carried without being boxed at each step: it turns and shears as the motions do.
+//! A set of starts carried without being boxed at each step: it turns and shears as the motions do.
 
 use super::{Extended, GROW, Image, LONGEST, SHORTEST, SHRINK, image};
 use crate::certified::{error::CertifiedError, interval::Interval};
@@ -7,9 +7,9 @@ use std::array::from_fn;
 
 type Matrix<T, const N: usize> = [[T; N]; 3];
 
-/// The states c + C r + Q e with r in the square from −1 to 1 and e in a small box (Lohner, "Computation of guaranteed
-/// enclosures for the solutions of ordinary initial and boundary value problems", 1992): the derivative of the flow
-/// carries C along, and Q e holds all that this leaves out, in axes that turn with it.
+/// The states c + C r + Q e with r in the square from −1 to 1 and e in a small box (Lohner, "Computation of
+/// guaranteed enclosures for the solutions of ordinary initial and boundary value problems", 1992): the
+/// derivative of the flow carries C along, Q e holds what this leaves out.
 #[derive(Debug, Clone, Copy)]
 pub struct Tilted {
     centre: [f64; 3],
@@ -19,8 +19,8 @@ pub struct Tilted {
 }
 
 impl Tilted {
-    /// All values of a function of two numbers on a box: `middle` encloses the value in the middle of the box, `slope`
-    /// the derivatives on all of it; `half` are half the box's widths, or more.
+    /// All values of a function on a box of two numbers: `middle` encloses its value in the middle, `slope`
+    /// the derivatives on the whole box; `half` are half the widths, or more.
     pub fn new(middle: [Interval; 3], slope: Matrix<Interval, 2>, half: [f64; 2]) -> Self {
         let spread = slope.map(|row| from_fn(|j| row[j] * Interval::point(half[j])));
         let (centre, shape) = (middle.map(Interval::mid), middles(&spread));
@@ -44,7 +44,7 @@ impl Tilted {
         })
     }
 
-    /// The states after a step, by series of `N` terms, of which the last is at most `accuracy` wide unless the step is
+    /// The states after a step, by series of `N` terms, the last at most `accuracy` wide unless the step is
     /// short. `h` is the length to try first, and becomes the one to try next.
     ///
     /// # Errors
@@ -75,7 +75,6 @@ impl Tilted {
         Err(failed("no step encloses the motion"))
     }
 
-    /// The states where the flow takes the middle to `middle`, and has the derivatives by the start that are in `all`.
     fn carried(&self, all: &Extended, middle: &[Interval; 3]) -> Option<Self> {
         let slope: Matrix<Interval, 3> = from_fn(|i| from_fn(|j| all[3 + 3 * i + j]));
         let spread = times(&slope, &points(&self.shape));
@@ -97,7 +96,6 @@ impl Tilted {
     }
 }
 
-/// From −1 to 1.
 fn unit() -> Interval {
     Interval::new(-1.0, 1.0)
 }
@@ -110,7 +108,6 @@ fn middles<const N: usize>(m: &Matrix<Interval, N>) -> Matrix<f64, N> {
     m.map(|row| row.map(Interval::mid))
 }
 
-/// What the states c + C r leave out, for all r in the square.
 fn left_out(
     middle: &[Interval; 3],
     centre: &[f64; 3],
@@ -133,8 +130,8 @@ fn times<const N: usize>(a: &Matrix<Interval, 3>, b: &Matrix<Interval, N>) -> Ma
     a.map(|row| from_fn(|j| dot(&row, &from_fn(|k| b[k][j]))))
 }
 
-/// Three directions, nearly at right angles: the first that of the longest column, the next what the next longest adds
-/// to it (Gram and Schmidt). Columns that add nothing give way to the axes.
+/// Nearly at right angles, the longest column first (Gram and Schmidt). Columns that add nothing give way to
+/// the axes.
 fn upright(columns: &Matrix<f64, 3>) -> Matrix<f64, 3> {
     let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let mut longest: [[f64; 3]; 3] = from_fn(|j| from_fn(|i| columns[i][j]));
@@ -161,7 +158,6 @@ fn upright(columns: &Matrix<f64, 3>) -> Matrix<f64, 3> {
 /// A column adds nothing if this part of it, or less, is new.
 const FLAT: f64 = 1e-6;
 
-/// By cofactors.
 fn inverse(m: &Matrix<Interval, 3>) -> Option<Matrix<Interval, 3>> {
     let cofactor = |i: usize, j: usize| {
         let ([a, b], [c, d]) = ([i + 1, i + 2].map(|i| i % 3), [j + 1, j + 2].map(|j| j % 3));
@@ -178,7 +174,6 @@ mod tests {
     use super::*;
     use crate::scalar::Scalar;
 
-    /// A square in x and y about (1, 0), with z = 0.1.
     fn square(half: f64) -> Tilted {
         let [one, zero] = [1, 0].map(Interval::int);
         let slope = [[one, zero], [zero, one], [zero, zero]];
@@ -230,7 +225,6 @@ mod tests {
         }
     }
 
-    /// A function that bends: what its derivatives leave out is within the error.
     #[test]
     fn a_curved_start_is_enclosed() {
         let x = Interval::new(0.9, 1.1);

@@ -1,8 +1,5 @@
-//! Enclosures of the elementary functions, from Taylor's series with their remainders and from nothing else.
-//!
-//! The sine and the cosine of a single number are summed after a reduction to |r| ≤ 0.8, with a remainder that the
-//! alternating signs bound; the exponential likewise. An inverse function takes libm's value as a guess y and
-//! corrects it by how far the enclosed function at y misses: the result does not depend on libm being right.
+//! Enclosures of the elementary functions, from Taylor's series with their remainders. An inverse function
+//! corrects libm's value by how far the enclosed function misses: nothing depends on libm being right.
 
 use super::rounding;
 use super::{Interval, PI};
@@ -44,7 +41,6 @@ fn alternating(z: Interval, m: u32) -> Interval {
     sum
 }
 
-/// sin(x + `quarters` π/2) of a single number.
 fn sine_at(x: f64, quarters: f64) -> Interval {
     if x.abs() > FARTHEST {
         return BOTH_SIDES;
@@ -67,14 +63,12 @@ fn reaches(x: Interval, offset: f64) -> bool {
     t.lo.ceil() <= t.hi.floor()
 }
 
-/// Hull of the function's values at the ends, and of its extreme values where these may be reached.
 fn with_extremes(ends: Interval, top: bool, bottom: bool) -> Interval {
     let lo = if bottom { -1.0 } else { ends.lo.max(-1.0) };
     let hi = if top { 1.0 } else { ends.hi.min(1.0) };
     Interval::new(lo, hi)
 }
 
-/// What is known of the sine and the cosine on a turn or more.
 fn any_sine(x: Interval) -> Interval {
     if x.is_bounded() {
         BOTH_SIDES
@@ -83,7 +77,6 @@ fn any_sine(x: Interval) -> Interval {
     }
 }
 
-/// The absolute values.
 fn sizes(x: Interval) -> Interval {
     if x == Interval::WHOLE {
         x
@@ -92,7 +85,6 @@ fn sizes(x: Interval) -> Interval {
     }
 }
 
-/// The inverse sine of a single number.
 fn asin_at(x: f64) -> Interval {
     if x.abs() > 0.75 {
         // asin |x| = π/2 − 2 asin √((1 − |x|)/2)
@@ -112,7 +104,6 @@ fn asin_from(guess: f64, x: f64) -> Interval {
     Interval::point(guess) + miss / Interval::new(0.6, 1.0)
 }
 
-/// The exponential of a single number.
 fn exp_at(x: f64) -> Interval {
     if x < -700.0 {
         return Interval::new(0.0, 1e-300);
@@ -131,7 +122,7 @@ fn exp_at(x: f64) -> Interval {
     sum * Interval::point(libm::ldexp(1.0, n as i32))
 }
 
-/// The natural logarithm of a single number, x > 0.
+/// For x > 0.
 fn ln_at(x: f64) -> Interval {
     if !(1e-290..=1e290).contains(&x) {
         return if x > 1.0 {
@@ -143,7 +134,7 @@ fn ln_at(x: f64) -> Interval {
     ln_from(libm::log(x), x)
 }
 
-/// The same of x from 1e-290 to 1e290, from a guess of whatever quality.
+/// For x from 1e-290 to 1e290, from a guess of whatever quality.
 fn ln_from(guess: f64, x: f64) -> Interval {
     let guess = guess.clamp(-668.0, 668.0);
     // ln x = y + ln(1 + u) with u = x e⁻ʸ − 1, and u − u² ≤ ln(1 + u) ≤ u for u ≥ −1/2.
@@ -154,7 +145,7 @@ fn ln_from(guess: f64, x: f64) -> Interval {
     Interval::point(guess) + Interval::new((u - u.squared()).lo, u.hi)
 }
 
-/// A function that grows, from its values at the ends; the whole line if not all of `x` lies in its domain.
+/// From its values at the ends; the whole line if not all of `x` lies in its domain.
 fn growing(x: Interval, domain: Interval, at: fn(f64) -> Interval) -> Interval {
     if !x.within(domain) {
         return Interval::WHOLE;
@@ -169,7 +160,6 @@ fn growing(x: Interval, domain: Interval, at: fn(f64) -> Interval) -> Interval {
     Interval::new(bound(x.lo).lo, bound(x.hi).hi)
 }
 
-/// Enclosures: the formulas of both sides can be evaluated on intervals.
 impl Scalar for Interval {
     fn int(n: i64) -> Self {
         let x = n as f64;

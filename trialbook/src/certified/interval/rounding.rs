@@ -1,22 +1,17 @@
-//! Directed rounding from round-to-nearest arithmetic.
-//!
-//! IEEE 754 rounds +, −, ×, ÷ and √ correctly, so that the true value lies between the neighbours of the rounded one.
-//! A result that is plainly exact stays: a sum of which Knuth's two-sum leaves no rest, a product of numbers of 53
-//! bits together, and a quotient or a root of which such a product gives back the operand.
+//! Directed rounding from round-to-nearest arithmetic: the true value lies between the neighbours of the
+//! rounded one (IEEE 754). A result that is plainly exact stays.
 
-/// Below a + b.
 pub(super) fn sum_down(a: f64, b: f64) -> f64 {
     let (s, rest) = two_sum(a, b);
     if rest >= 0.0 { s } else { s.next_down() }
 }
 
-/// Above a + b.
 pub(super) fn sum_up(a: f64, b: f64) -> f64 {
     let (s, rest) = two_sum(a, b);
     if rest <= 0.0 { s } else { s.next_up() }
 }
 
-/// Below a · b. Zero times an infinite bound is no number: behind that bound there may be no value.
+/// Zero times an infinite bound is no number: behind that bound there may be no value.
 pub(super) fn product_down(a: f64, b: f64) -> f64 {
     let p = a * b;
     if a == 0.0 || b == 0.0 || is_short_product(a, b, p) {
@@ -26,12 +21,11 @@ pub(super) fn product_down(a: f64, b: f64) -> f64 {
     }
 }
 
-/// Above a · b.
 pub(super) fn product_up(a: f64, b: f64) -> f64 {
     -product_down(-a, b)
 }
 
-/// Below a / b, for b > 0. A quotient by an infinite bound is a limit: zero is right for it.
+/// For b > 0. A quotient by an infinite bound is a limit: zero is right for it.
 pub(super) fn quotient_down(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == f64::INFINITY {
         return 0.0;
@@ -45,12 +39,12 @@ pub(super) fn quotient_down(a: f64, b: f64) -> f64 {
     }
 }
 
-/// Above a / b, for b > 0.
+/// For b > 0.
 pub(super) fn quotient_up(a: f64, b: f64) -> f64 {
     -quotient_down(-a, b)
 }
 
-/// Below and above √x, for x ≥ 0.
+/// Below and above, for x ≥ 0.
 pub(super) fn sqrt(x: f64) -> [f64; 2] {
     let r = x.sqrt();
     let back = r * r;
@@ -62,15 +56,14 @@ pub(super) fn sqrt(x: f64) -> [f64; 2] {
     }
 }
 
-/// The sum, rounded, and what rounding took from it; the rest is no number where an infinity is involved.
+/// The rest is no number where an infinity is involved.
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let part = s - a;
     (s, (a - (s - part)) + (b - part))
 }
 
-/// Whether p = a·b holds without rounding, because a and b together have 53 bits at most and p is far from the
-/// smallest and the largest f64.
+/// a and b together have 53 bits at most, and p is far from the smallest and the largest f64.
 fn is_short_product(a: f64, b: f64, p: f64) -> bool {
     let zeros = |x: f64| (x.to_bits() | 1 << 52).trailing_zeros();
     zeros(a) + zeros(b) >= 53 && (1e-200..1e200).contains(&p.abs())

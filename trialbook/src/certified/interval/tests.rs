@@ -5,7 +5,7 @@ use crate::certified::ball::Ball;
 use crate::scalar::Scalar;
 use proptest::prelude::*;
 
-/// The ball's value lies in the interval, which is not much wider than the last places of an f64.
+/// The interval is not much wider than the last places of an f64.
 fn encloses(interval: Interval, exact: &Ball) -> bool {
     let value = exact.interval();
     interval.lo() <= value.hi()
@@ -128,10 +128,8 @@ fn what_touches_is_neither_inside_nor_below() {
         assert!(!of(lo, hi).inside(outer), "[{lo}, {hi}]");
     }
     assert!(!Interval::WHOLE.inside(Interval::WHOLE));
-    // Within counts the ends.
     assert!(outer.within(outer) && !outer.inside(outer));
     assert!(of(0.0, 1.0_f64.next_down()).below(outer) && !of(0.0, 1.0).below(outer));
-    // What has an end in common meets there.
     assert_eq!(outer.meet(of(2.0, 3.0)), Some(Interval::point(2.0)));
     assert_eq!(outer.meet(of(2.0_f64.next_up(), 3.0)), None);
 }

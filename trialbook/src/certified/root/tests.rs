@@ -1,6 +1,5 @@
 use super::*;
 
-/// x² − 2.
 fn square(x: &Ball) -> Option<[Ball; 2]> {
     Some([x * x - Ball::int(2, x.bits()), x + x])
 }

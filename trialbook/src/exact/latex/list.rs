@@ -5,13 +5,10 @@ use super::statement::Relation;
 use super::{LatexError, Problem};
 use crate::notation::letters::GREEK;
 
-/// The most parts within each other.
 const DEEPEST: usize = 32;
 
-/// Commands that are names, besides the Greek letters.
 const NAMES: &[&str] = &["infty", "perp"];
 
-/// Commands that change the name in their argument.
 const ACCENTS: &[&str] = &["bm", "hat", "tilde", "dot", "ddot", "mathrm", "mathfrak"];
 
 const FUNCTIONS: &[(&str, Function)] = &[
@@ -27,60 +24,39 @@ const FUNCTIONS: &[(&str, Function)] = &[
     ("ln", Function::Ln),
 ];
 
-/// Commands that are a sign.
 const MARKS: &[(&str, char)] = &[("times", '×'), ("cdot", '·'), ("cdots", '⋯'), ("pm", '±')];
 
-/// Commands that leave space.
 const SPACES: &[&str] = &[",", ";", ":", " ", "!", "quad", "qquad"];
 
-/// A part of a formula.
 #[derive(Debug, Clone)]
 pub(super) struct Item {
-    /// The number of its first character.
     pub at: usize,
-    /// True if a command for space stands before it.
     pub spaced: bool,
-    /// What it is.
     pub kind: Kind,
 }
 
-/// Two items are equal if they are the same, wherever they stand.
 impl PartialEq for Item {
     fn eq(&self, other: &Self) -> bool {
         self.kind == other.kind
     }
 }
 
-/// What an item is.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Kind {
     /// A name of one letter: `v`, or `lambda` for `\lambda`.
     Letter(String),
-    /// Digits, with a decimal point or without.
     Number(String),
-    /// A sign that is no relation.
     Mark(char),
-    /// A relation.
     Relation(Relation),
-    /// The name of an elementary function.
     Function(Function),
-    /// A changed name: bold, dotted, upright.
     Accent(&'static str, Vec<Item>),
-    /// A fraction.
     Fraction(Vec<Item>, Vec<Item>),
-    /// A square root.
     Root(Vec<Item>),
-    /// What stands in brackets of any shape, or in braces.
     Bracket(Vec<Item>),
-    /// What stands between vertical bars.
     Absolute(Vec<Item>),
-    /// A subscript.
     Sub(Vec<Item>),
-    /// A superscript.
     Sup(Vec<Item>),
-    /// The lines of `cases`.
     Cases(Vec<Vec<Item>>),
-    /// Words.
     Text(String),
 }
 
@@ -92,7 +68,6 @@ enum End {
     Cases,
 }
 
-/// The items of a text.
 pub(super) fn items(latex: &str) -> Result<Vec<Item>, LatexError> {
     let mut lister = Lister {
         chars: latex.chars().collect(),
@@ -119,7 +94,7 @@ impl Lister {
         }
     }
 
-    /// The next token: a command with its backslash, or a character; blanks before it do not count.
+    /// A command with its backslash, or a character; blanks before it do not count.
     fn token(&mut self) -> Option<(usize, String)> {
         self.skip_blanks();
         let at = self.at;
@@ -139,7 +114,6 @@ impl Lister {
         Some((at, token))
     }
 
-    /// The items up to the end, which is taken too.
     fn list(&mut self, end: End) -> Result<Vec<Item>, LatexError> {
         self.depth += 1;
         if self.depth > DEEPEST {
@@ -170,7 +144,7 @@ impl Lister {
         Ok(items)
     }
 
-    /// Whether a token ends the list; an error if it would end another.
+    /// An error if it would end another.
     fn ends(&mut self, at: usize, token: &str, end: End) -> Result<bool, LatexError> {
         let token = match token {
             "\\right" => {
@@ -202,7 +176,6 @@ impl Lister {
         }
     }
 
-    /// The name of an environment, of which `cases` is the only one.
     fn environment(&mut self) -> Result<(), LatexError> {
         let (at, name) = (self.at, self.words()?);
         if name == "cases" {
@@ -228,7 +201,6 @@ impl Lister {
         Err(Problem::Bracket.at(start))
     }
 
-    /// The argument of a command: what stands in braces, or one item.
     fn argument(&mut self) -> Result<Vec<Item>, LatexError> {
         let start = self.at;
         let Some((at, token)) = self.token() else {
@@ -262,7 +234,6 @@ impl Lister {
         }])
     }
 
-    /// What begins with this token.
     fn kind(&mut self, at: usize, token: String) -> Result<Kind, LatexError> {
         let unknown = |what: &str| Problem::Unknown(what.into()).at(at);
         if let Some(relation) = Relation::of(&token) {
@@ -325,7 +296,6 @@ impl Lister {
         })
     }
 
-    /// The digits that follow, and a decimal point with its digits.
     fn number(&mut self, mut digits: String) -> String {
         let digit = |c: Option<&char>| c.is_some_and(char::is_ascii_digit);
         let mut point = false;

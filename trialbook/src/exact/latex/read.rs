@@ -72,9 +72,9 @@ impl Lexicon {
         lexicon
     }
 
-    /// Gives a name a meaning, unless it has one. A name may be of several signs, such as `\frac{\mathrm d v}{\mathrm d t}`
-    /// or `h(\phi)`; of two names that fit, the longer one counts. One with operators in it counts only where it
-    /// is the whole of a side, of a bracket or of another part.
+    /// Gives a name a meaning, unless it has one. A name may be of several signs, such as `\frac{\mathrm d
+    /// v}{\mathrm d t}` or `h(\phi)`; the longer one counts. One with operators counts only where it is the
+    /// whole of a part.
     ///
     /// # Errors
     /// [`LatexError`] if the name is no LaTeX, or empty.
@@ -89,7 +89,7 @@ impl Lexicon {
         Ok(())
     }
 
-    /// What these items mean together; `at` is where they should begin, if there are none.
+    /// `at` is where they should begin, if there are none.
     pub(super) fn read(&self, items: &[Item], at: usize) -> Result<Value, LatexError> {
         let whole = self.entries.iter().find(|(name, _)| *name == items);
         match whole {
@@ -133,7 +133,7 @@ impl Lexicon {
         sum.ok_or_else(|| Problem::Missing.at(at))
     }
 
-    /// Products without a sign, with × or with /, joined by ·.
+    /// Without a sign, with × or with /, joined by ·.
     fn product(&self, items: &[Item], at: usize) -> Result<Value, LatexError> {
         let mut product: Option<Value> = None;
         for run in items.split(|item| item.kind == Kind::Mark('·')) {
@@ -188,7 +188,6 @@ impl Lexicon {
         Ok(product)
     }
 
-    /// The first operand, with its power; it is taken off the items.
     fn operand(&self, items: &mut &[Item], at: usize) -> Result<Value, LatexError> {
         if let [function, rest @ ..] = *items
             && let Kind::Function(name) = function.kind
@@ -215,7 +214,6 @@ impl Lexicon {
         self.number(exponent, first.at).map(Some)
     }
 
-    /// A function of what follows.
     fn applied(
         &self,
         function: Function,
@@ -247,7 +245,6 @@ impl Lexicon {
         }
     }
 
-    /// The first name, number or part, without its power.
     fn base(&self, items: &mut &[Item], at: usize) -> Result<Value, LatexError> {
         if let Some(value) = self.named(items) {
             return Ok(value);
@@ -272,7 +269,6 @@ impl Lexicon {
         }
     }
 
-    /// The meaning of the longest name that these items begin with, and is no part of a longer one.
     fn named(&self, items: &mut &[Item]) -> Option<Value> {
         let operator = |item: &Item| matches!(item.kind, Kind::Mark(_));
         let fits = |name: &&(Vec<Item>, Value)| {
@@ -292,7 +288,7 @@ impl Lexicon {
     }
 }
 
-/// Whether a term stands for what is left out: ⋯, o(…), O(…).
+/// ⋯, o(…), O(…).
 fn is_left_out(term: &[Item]) -> bool {
     match term {
         [dots] => dots.kind == Kind::Mark('⋯'),

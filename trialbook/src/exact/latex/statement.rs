@@ -48,17 +48,17 @@ const RELATIONS: &[(&str, Relation)] = &[
 ];
 
 impl Relation {
-    /// The relation that a token means.
     pub(super) fn of(token: &str) -> Option<Self> {
         let known = RELATIONS.iter().find(|(name, _)| *name == token);
         known.map(|(_, relation)| *relation)
     }
 }
 
-/// One formula: its sides and, between them, their relations; a label such as `\text{A:}` before and words after it are left out.
+/// One formula: its sides and the relations between them, without a label such as `\text{A:}` or words
+/// behind.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
-    /// The sides in order, one at least. The first is empty in a line that carries on another.
+    /// The sides, one at least; the first is empty in a line that carries on another.
     pub sides: Vec<Side>,
     /// The relations, one fewer than the sides.
     pub relations: Vec<Relation>,
@@ -88,7 +88,6 @@ pub fn statements(latex: &str) -> Result<Vec<Statement>, LatexError> {
     divided(&items(latex)?, 0)
 }
 
-/// The statements among these items; `at` is where they begin.
 fn divided(items: &[Item], at: usize) -> Result<Vec<Statement>, LatexError> {
     let end = |item: &Item| matches!(item.kind, Kind::Mark(',' | '.'));
     let items = match items.split_last() {
@@ -158,7 +157,7 @@ impl Side {
         Some(lines.iter().map(|line| piece(line, item.at)).collect())
     }
 
-    /// The statements of a side that lists some in brackets, as (q = 1, λ₀ = 1); `None` of another.
+    /// The statements of a side such as (q = 1, λ₀ = 1); `None` of another.
     ///
     /// # Errors
     /// [`LatexError`] if nothing stands between two commas.
@@ -190,7 +189,6 @@ impl Side {
     }
 }
 
-/// A line of `cases`: a value, a comma, with or without the sign of a column, and a condition.
 fn piece(line: &[Item], at: usize) -> Result<Piece, LatexError> {
     let at = line.first().map_or(at, |first| first.at);
     let comma = line.iter().position(|item| item.kind == Kind::Mark(','));

@@ -25,7 +25,6 @@ fn lexicon() -> Lexicon {
     lexicon
 }
 
-/// What the only side of a text means.
 fn read(latex: &str) -> Result<Value, super::LatexError> {
     statements(latex)?[0].sides[0].read(&lexicon())
 }
@@ -255,7 +254,6 @@ fn token() -> impl Strategy<Value = &'static str> {
     ])
 }
 
-/// Reads all sides of a text, and what is within them.
 fn read_all(text: &str) {
     let lexicon = lexicon();
     let Ok(found) = statements(text) else { return };

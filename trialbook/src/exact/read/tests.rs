@@ -82,7 +82,6 @@ pub fn right_sides<S: Scalar>(theta: S, phi: S, alpha: S) -> [S; 6] {
 
 }
 
-/// Every wrong variant of a formula of this file.
 fn wrong<const N: usize>(name: &str, arguments: [Expr; N]) -> Vec<Vec<Expr>> {
     let formula = formulas::<Expr>().into_iter().find(|f| f.name == name);
     let formula = formula.expect("it stands above");
@@ -312,7 +311,6 @@ fn what_stands_for_something_else_is_not_free() -> Result<(), ExactError> {
     Ok(())
 }
 
-/// Which is declared first does not matter, and a number may have a square in it.
 #[test]
 fn a_root_of_a_product_finds_its_number_in_any_order() -> Result<(), ExactError> {
     for number_first in [true, false] {
@@ -337,7 +335,6 @@ fn a_root_of_a_product_finds_its_number_in_any_order() -> Result<(), ExactError>
     Ok(())
 }
 
-/// Of a root and an angle that are named, which branch it is; of one that is chosen for a name, nothing.
 #[test]
 fn a_branch_is_said() {
     type Declare = fn(&mut Ring, Rational, Rational) -> Result<(), ExactError>;

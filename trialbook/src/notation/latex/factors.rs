@@ -5,12 +5,10 @@ use super::{
     Factor, Reader, command,
 };
 
-/// A letter of a formula that is not ASCII.
 pub(super) fn is_letter(c: char) -> bool {
     !c.is_ascii() && !is_small(c) && (c.is_alphabetic() || "∞Σ½⅓¼".contains(c))
 }
 
-/// True for a factor that begins with the sign of a differential.
 pub(super) fn is_differential(latex: &str) -> bool {
     latex.starts_with(r"\mathrm d") || latex.starts_with(r"\partial")
 }
@@ -53,7 +51,6 @@ impl Reader<'_> {
         self.scripts(factor)
     }
 
-    /// A function, a differential, or a symbol.
     fn named(&mut self) -> Option<Factor> {
         let letters = self.rest.find(|c: char| !c.is_ascii_alphabetic());
         let word = &self.rest[..letters.unwrap_or(self.rest.len())];
@@ -135,7 +132,7 @@ impl Reader<'_> {
         })
     }
 
-    /// One letter with its accents; none if it belongs to a word or to a name of the code.
+    /// With its accents; none if it belongs to a word or to a name of the code.
     pub(super) fn symbol(&mut self) -> Option<String> {
         let c = self.peek()?;
         let after = &self.rest[c.len_utf8()..];
@@ -194,7 +191,7 @@ impl Reader<'_> {
         Some(Factor::simple(latex))
     }
 
-    /// What stands in brackets; the number of an equation only if `any` number will do.
+    /// The number of an equation only if `any` number will do.
     pub(super) fn group(&mut self, open: char, close: char, any: bool) -> Option<Factor> {
         let before = self.rest;
         self.rest = self.rest.strip_prefix(open)?;

@@ -6,7 +6,7 @@ use super::{
 };
 
 impl Reader<'_> {
-    /// Indices, powers and primes behind a factor; nothing if it is a name of the code.
+    /// Nothing if it is a name of the code.
     pub(super) fn scripts(&mut self, factor: Factor) -> Option<Factor> {
         let Factor {
             mut latex,
@@ -38,7 +38,6 @@ impl Reader<'_> {
         }
     }
 
-    /// The letter or digit behind `_`.
     fn index(&mut self) -> Option<String> {
         let c = self.peek()?;
         self.rest = &self.rest[c.len_utf8()..];
@@ -54,7 +53,6 @@ impl Reader<'_> {
         }
     }
 
-    /// Small digits and letters of a kind.
     fn run(&mut self, among: &str) -> Option<String> {
         let mut run = String::new();
         while let Some(large) = self.peek().and_then(|c| large(c, among)) {
@@ -69,7 +67,7 @@ impl Reader<'_> {
         self.run(HIGH)
     }
 
-    /// An index below the line; the `y` of `v₀y` belongs to it.
+    /// The `y` of `v₀y` belongs to it.
     fn low(&mut self) -> Option<String> {
         let mut low = self.run(LOW)?;
         let mut next = self.rest.chars();
@@ -82,7 +80,6 @@ impl Reader<'_> {
         Some(low)
     }
 
-    /// An exponent behind `^`.
     pub(super) fn power(&mut self) -> Option<String> {
         self.skip("^").then_some(())?;
         let sign = if self.skip("-") || self.skip("−") {

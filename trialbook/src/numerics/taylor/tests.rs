@@ -8,7 +8,6 @@ use crate::numerics::{
 };
 use std::f64::consts::PI;
 
-/// Kepler's problem with unit gravity: x, y, ẋ, ẏ.
 struct Kepler;
 
 impl System<f64, 4, TERMS> for Kepler {
@@ -30,7 +29,6 @@ impl System<f64, 4, TERMS> for Kepler {
 /// Pericentre of the orbit with semi-major axis 1, eccentricity 0.6: period 2π.
 const PERICENTRE: [f64; 4] = [0.4, 0.0, 0.0, 2.0];
 
-/// Position and velocity at time `t`, from Kepler's equation.
 fn orbit(t: f64) -> [f64; 4] {
     let mut anomaly = t;
     for _ in 0..100 {

@@ -21,12 +21,11 @@ pub struct Match {
     pub claim: &'static str,
     /// How many of the given significant digits are right, from the first on.
     pub right: usize,
-    /// Which significant digit is the first wrong one, counted from 1; nothing if all are right or beyond what is
-    /// known.
+    /// Which significant digit is the first wrong one, from 1; nothing if none is known to be wrong.
     pub first_wrong: Option<usize>,
     /// Where that digit stands in the number as it was given, counted from 0.
     pub column: Option<usize>,
-    /// How the number given comes from the value; nothing if a digit is wrong, or if it goes beyond what is known.
+    /// How the number given comes from the value; nothing if a digit is wrong or beyond what is known.
     pub form: Option<Form>,
 }
 
@@ -53,11 +52,10 @@ const LONGEST: usize = 1000;
 /// Wrong numbers are graded if at least so many of their first digits are right.
 const ENOUGH: usize = 3;
 
-/// An expression is 0 if with twice 32 bits, doubled so often, it cannot be told from it.
+/// An expression that is not told from 0 with twice 32 bits, doubled so often, is 0.
 const FINEST: usize = 7;
 
-/// The decimal number that a text is: itself, or the value of an expression such as `2/sqrt(4+pi^2)`, rounded to
-/// twenty digits.
+/// A decimal number, or the value of an expression such as `2/sqrt(4+pi^2)` to twenty digits.
 ///
 /// # Errors
 /// A text that is neither, and an expression that is 0, has no value or has one beyond floating-point numbers.
@@ -98,7 +96,6 @@ fn size(ball: &Ball) -> Option<f64> {
     Some(1.0 / inverse.interval().mid())
 }
 
-/// A number that begins with many zeros, with a power of ten.
 fn with_power(text: &str) -> String {
     let digits = text.trim_start_matches(['-', '0', '.']);
     match text.split_once('.') {
@@ -115,8 +112,8 @@ fn with_power(text: &str) -> String {
     }
 }
 
-/// Of `values`, those that agree with `given` to all of its digits; if there is none, those that begin like it, with the
-/// first wrong digit. The last digit given may be rounded or cut off; a single digit has to be all of the number.
+/// Of `values`, those that agree with `given` to all of its digits, else those that begin like it. The last
+/// digit may be rounded or cut off; a single digit has to be all of the number.
 ///
 /// # Errors
 /// A text that is no decimal number, and a value that cannot be computed.
@@ -140,11 +137,8 @@ pub fn search<'a>(
 
 struct Digits {
     negative: bool,
-    /// From the first that is not zero on.
     digits: Vec<u8>,
-    /// Where each stands in the text.
     columns: Vec<usize>,
-    /// The power of ten of the first one.
     power: i64,
 }
 
@@ -176,7 +170,7 @@ impl Digits {
         })
     }
 
-    /// How far a value has these digits; nothing if not even sign and size are the same.
+    /// Nothing if not even sign and size are the same.
     fn grade(&self, value: &Value) -> Result<Option<Match>, Failure> {
         let decimals = value.cut(self.digits.len().min(LONGEST) + 1)?;
         let known = Digits::read(&decimals).ok_or_else(|| NotDecimal(decimals.clone()))?;
@@ -221,7 +215,6 @@ impl Digits {
         }))
     }
 
-    /// Whether these digits are the first of the known ones, rounded up.
     fn rounds(&self, known: &[u8]) -> bool {
         let given = self.digits.len();
         if given >= known.len() || known[given] < 5 {
@@ -260,7 +253,6 @@ mod tests {
         value("five", None, || Ok(0.732_51)),
     ];
 
-    /// Names, digits that are right, and the place and column of the first wrong one.
     fn found(given: &str) -> Vec<(&'static str, usize, Option<usize>, Option<usize>)> {
         let found = search(&VALUES, given).unwrap();
         found

@@ -1,22 +1,20 @@
-//! The promise of the intervals, for every function and every operation: what has a value is enclosed, and where
-//! something has none no bound is claimed, neither at once nor by what is computed later.
+//! The promise of the intervals: what has a value is enclosed, and where something has none no bound is
+//! claimed, neither at once nor by what is computed later.
 
 use crate::certified::interval::Interval;
 use crate::scalar::Scalar;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// A function of intervals with the same of numbers, and the arguments of which it surely has no value.
 struct Function {
     name: &'static str,
     of: fn(Interval) -> Interval,
     at: fn(f64) -> f64,
     lacks: fn(Interval) -> bool,
-    /// Whether it is a quotient, of which one bound is known next to a divisor 0.
+    /// Of a quotient one bound is known next to a divisor 0.
     quotient: bool,
 }
 
-/// The same with two operands.
 struct Operation {
     name: &'static str,
     of: fn(Interval, Interval) -> Interval,
@@ -100,7 +98,7 @@ const OPERATIONS: [Operation; 5] = [
     },
 ];
 
-/// Ends of domains, places where a function changes its way, and what is too large or too small for it.
+/// Ends of domains, changes of a function's way, and what is too large or too small for it.
 const EDGES: [f64; 33] = [
     f64::NEG_INFINITY,
     f64::MIN,
@@ -155,7 +153,6 @@ fn bound() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// Intervals of all kinds: between edges, single numbers, narrow ones, unbounded ones.
 fn interval() -> impl Strategy<Value = Interval> {
     (bound(), bound(), 0..4).prop_map(|(a, b, kind)| match kind {
         0 => Interval::point(a),
@@ -164,7 +161,6 @@ fn interval() -> impl Strategy<Value = Interval> {
     })
 }
 
-/// Finite numbers of an interval: ends, edges and some in between.
 fn numbers(x: Interval, parts: [f64; 3]) -> Vec<f64> {
     let (lo, hi) = (x.lo().max(-1e3), x.hi().min(1e3));
     let between = parts.map(|part| lo + part * (hi - lo));
@@ -175,7 +171,6 @@ fn numbers(x: Interval, parts: [f64; 3]) -> Vec<f64> {
     all.filter(|&at| at.is_finite() && x.contains(at)).collect()
 }
 
-/// Whether an enclosure keeps its promise at a number of which a function has this value.
 fn keeps(enclosure: Interval, value: f64, quotient: bool) -> bool {
     if value.is_finite() {
         // The number is rounded too.
@@ -189,10 +184,8 @@ fn keeps(enclosure: Interval, value: f64, quotient: bool) -> bool {
     }
 }
 
-/// A formula, step by step: each takes two of the numbers before it.
 type Formula = Vec<(usize, usize, usize)>;
 
-/// All that a formula computes, by what a step does with its operands.
 fn steps<T: Copy>(
     formula: &Formula,
     start: [T; 2],
