@@ -112,6 +112,7 @@ static FALL: Topic = Topic::new(
         wrong = 'it takes the speed at the end for the whole way'
         reason = 'The speed grows evenly from 0 to $gt$; its mean is half of that'
         case = 'Take $g=10$ and $t=3$: in the middle the speed is 15. Printed: {stated}. In the motion: {found}'
+        pencil = ["10*3", "10*3^2/2"]
         digits = 0
     "#,
     ),
