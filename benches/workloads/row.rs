@@ -1,15 +1,15 @@
-//! When the sliding coin moves, by the formulas alone, for many q at one λ₀: a few arithmetic operations each where
-//! there is motion one way only, one root from a good guess where a slip has to be followed to its end.
+//! When the sliding coin moves, by the formulas alone, for many q at one λ₀: one root from a good guess where a slip has to be
+//! followed to its end.
 
 use slipbook::paper::{anisotropic as printed, sinusoidal};
 use std::f64::consts::{PI, TAU};
 
-/// Forward and backward motion of a period of the large-time motion; rest in between.
+/// Of a period of the large-time motion; rest in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arcs {
-    /// Phases at which forward motion begins and ends; the first in [0, π), equal if there is none.
+    /// The first in [0, π); equal if there is none.
     pub forward: [f64; 2],
-    /// Phases at which backward motion begins and ends, not before forward motion ends; equal if there is none.
+    /// Not before forward motion ends; equal if there is none.
     pub backward: [f64; 2],
 }
 
@@ -45,15 +45,15 @@ impl Column {
     }
 }
 
-/// The columns at one λ₀, one after the other: neighbours begin their search where the last ones ended theirs.
+/// One after the other: neighbours begin their search where the last ones ended theirs.
 #[derive(Debug, Clone)]
 pub struct Row {
     pub lambda0: f64,
-    /// Forward motion from rest to rest, with the sine and cosine of its last phase.
+    /// From rest to rest, with the sine and cosine of its last phase.
     pub forward: [f64; 2],
     pub sin: f64,
     pub cos: f64,
-    /// The last three ends of backward slips, the newest first, and how many of them there are.
+    /// The newest first.
     pub last: [f64; 3],
     pub known: usize,
     /// Whether those followed forward motion at once.
@@ -87,12 +87,11 @@ impl Row {
         })
     }
 
-    /// The motions at the columns, one after the other, are put behind what is in `arcs`.
+    /// Put behind what is in `arcs`.
     pub fn fill(&mut self, columns: &[Column], arcs: &mut Vec<Arcs>) {
         arcs.extend(columns.iter().map(|column| self.at(column)));
     }
 
-    /// The motion at a column.
     #[inline(always)]
     pub fn at(&mut self, column: &Column) -> Arcs {
         let (plus, minus) = (self.lambda0, column.q * self.lambda0);
@@ -162,8 +161,8 @@ pub fn expected(known: usize, [a, b, c]: [f64; 3], start: f64) -> f64 {
     }
 }
 
-/// Where a slip under `lambda` ends that begins from rest at `start`, whose cosine is `cos`: the root of (32) between
-/// the phase at which it is fastest and one period after its start, by Halley's method in that bracket.
+/// From rest at `start`, whose cosine is `cos`: the root of (32) between the phase at which it is fastest and one period after
+/// its start, by Halley's method in that bracket.
 pub fn slip_end(lambda: f64, start: f64, cos: f64, guess: f64) -> f64 {
     let (mut low, mut high) = (start, start + TAU);
     let mut x = guess;

@@ -36,7 +36,6 @@ pub trait Acceleration: Sync {
     }
 }
 
-/// Requires that the acceleration is known at `t`.
 pub(super) fn known(plane: &dyn Acceleration, t: f64) -> Result<(), MotionError> {
     let [from, to] = plane.times();
     let fit = t >= from && t <= to;
@@ -44,7 +43,6 @@ pub(super) fn known(plane: &dyn Acceleration, t: f64) -> Result<(), MotionError>
         .ok_or(MotionError::Outside { t, from, to })
 }
 
-/// The most steps of a motion on this plane.
 pub(super) fn most_steps(plane: &dyn Acceleration) -> usize {
     plane.pieces().saturating_mul(100).saturating_add(50_000)
 }
@@ -54,7 +52,7 @@ pub(super) fn most_steps(plane: &dyn Acceleration) -> usize {
 #[derive(Debug, Clone, Copy)]
 pub struct Series<F>(F);
 
-/// Places at which coefficients are tried, and the part of the range by which a series is followed there.
+/// How often coefficients are tried, and by which part of the range a series is followed there.
 const TRIED: u32 = 16;
 const SHARE: f64 = 1e-3;
 /// What may be missing, as a part of the largest change on the way.
@@ -156,7 +154,6 @@ mod tests {
         };
         let whole = |t: f64| [sine.coefficients(t), [0.0; TERMS]];
         for i in 0..2 {
-            // The other component is right.
             let beside = |t: f64, own: &[f64]| {
                 let mut c = [sine.coefficients(t); 2];
                 c[i] = [0.0; TERMS];

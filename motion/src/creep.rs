@@ -18,9 +18,8 @@ use crate::numerics::{
     taylor::{TERMS, reach},
 };
 
-/// A motion with a direction that has no memory.
 pub(super) struct Creep {
-    /// Coefficients of the velocity, in powers of the time since.
+    /// In powers of the time since.
     pub velocity: [Coefficients; 2],
     /// Time for which they serve.
     pub h: f64,
@@ -114,7 +113,7 @@ pub(super) fn creep(
     })
 }
 
-/// The direction of −A, which has this size, and the series of its components along that and across.
+/// With this size; and the series of its components along that and across.
 pub(super) fn pull(a: &[Coefficients; 2], size: f64) -> ([f64; 2], Coefficients, Coefficients) {
     let e = [-a[0][0] / size, -a[1][0] / size];
     let mut along: Coefficients = std::array::from_fn(|k| -(a[0][k] * e[0] + a[1][k] * e[1]));
@@ -129,7 +128,7 @@ pub(super) fn pull(a: &[Coefficients; 2], size: f64) -> ([f64; 2], Coefficients,
     (e, along, across)
 }
 
-/// The velocity of this size in the direction of these cosine and sine from `e`.
+/// In the direction of these cosine and sine from `e`.
 pub(super) fn velocity(
     e: [f64; 2],
     size: &Coefficients,

@@ -78,7 +78,6 @@ impl Launch {
     pub fn motion_to_rest(&self) -> Result<Motion, MotionError> {
         let range = "above 1, or 1 with θ₀ = π, for the particle to stop";
         check("λ", self.lambda, self.comes_to_rest(), range)?;
-        // The speed falls at least at the rate μg − A; friction against the motion and A together stop it within v₀/A.
         let rate = self.friction() - self.a;
         let latest = if rate > 0.0 {
             2.0 * self.v0 / rate
@@ -92,7 +91,6 @@ impl Launch {
         Plane::constant([-self.a, 0.0])
     }
 
-    /// μg.
     fn friction(&self) -> f64 {
         self.lambda * self.a
     }

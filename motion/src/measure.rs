@@ -1,12 +1,12 @@
 //! Friction from a recording: how much an accelerometer on a sliding body says of μ_k and μ_s.
 //!
-//! An accelerometer that lies on the sliding body, or is it, as a phone does, feels the force of contact per mass, however the floor is
-//! shaken or tilted: along the floor friction f/m, across it N/m. Where Coulomb's law holds, a slip is a plateau, |f| = μ_k N, that
-//! ends with a jump or a kink, and |f| ≤ μ_s N is all that is known of the rest. [`measure`] looks for such plateaus.
+//! An accelerometer that lies on the sliding body, or is it, as a phone does, feels the force of contact per mass, however the
+//! floor is shaken or tilted: along the floor friction f/m, across it N/m. Where Coulomb's law holds, a slip is a plateau, |f| =
+//! μ_k N, that ends with a jump or a kink, and |f| ≤ μ_s N is all that is known of the rest.
 //!
-//! A sensor on the *floor* records how that moves, which says nothing of friction; as long as nothing slips, one on the body
-//! records the same. Nor can a recording tell a plateau of slip from a floor that for a while accelerates evenly: it is taken for
-//! granted that the body slid. A rest on a tilted floor is told from a slip by x² + z² = g². While a hand pushes the body, or a stop catches it, more than friction acts.
+//! A sensor on the *floor* records how that moves, which says nothing of friction; nor can a recording tell a plateau of slip
+//! from a floor that for a while accelerates evenly: it is taken for granted that the body slid. A rest on a tilted floor is told
+//! from a slip by x² + z² = g². While a hand pushes the body, or a stop catches it, more than friction acts.
 
 mod holding;
 mod kinetic;
@@ -166,7 +166,7 @@ pub struct Measured {
     pub verdict: Verdict,
     /// Standard deviation of the sensor's noise, along one axis, at rest, or else from row to row, in m/s².
     pub noise: f64,
-    /// Whether a rest has shown the zeros of the sensor.
+    /// Whether a rest has shown the sensor's zeros.
     pub zeroed: bool,
     /// Whether N/m is measured; else it is taken to be g, as on level floor.
     pub normal: bool,
@@ -263,9 +263,8 @@ const LARGEST: f64 = 1e6;
 
 /// Finds slips and rests in what a sensor on the sliding body has recorded, and the coefficients of friction.
 ///
-/// - *μ_k* is the mean of |f|/N over the plateaus, which have to agree. Its interval is from the scatter of plateaus, or of parts of them
-///   where they are few, but no less than from the noise at rest, of which neighbours may be alike, as behind a filter; it contains what is
-///   unknown of the zeros of the sensor.
+/// - *μ_k* is the mean of |f|/N over the plateaus, which have to agree. Its interval is from the scatter of plateaus, or of their
+///   parts where they are few, but no less than from the noise at rest; it contains what is unknown of the zeros of the sensor.
 /// - *μ_s* is where |f|/N was, by a straight line through the last rows of rest, when the body broke loose; its interval has noise
 ///   and the time between two rows. It broke loose where a plateau begins from a rise, with f in the same direction.
 /// - The [`Verdict`] compares plateaus with each other, and within.
@@ -329,7 +328,6 @@ fn by(mut sensor: Sensor) -> (Measured, [f64; 2]) {
     (found, sensor.shifted)
 }
 
-/// What the body does, by what friction can do at most.
 fn stretches(sensor: &Sensor, pieces: &[Piece], slips: &[Piece], held: f64) -> Vec<Stretch> {
     let mut slipping = slips.iter().peekable();
     let mut list: Vec<Stretch> = Vec::new();
@@ -353,7 +351,6 @@ fn stretches(sensor: &Sensor, pieces: &[Piece], slips: &[Piece], held: f64) -> V
     list
 }
 
-/// The middle one of some numbers.
 pub(crate) fn median(numbers: impl Iterator<Item = f64>) -> f64 {
     let mut all: Vec<_> = numbers.collect();
     if all.is_empty() {

@@ -146,7 +146,6 @@ mod tests {
         }
     }
 
-    /// Units of 2ᵏ round nothing: what the first moments are does not depend on them, close to the threshold either.
     #[test]
     fn units_change_no_bit_of_the_first_moments() {
         for excess in [0.0, 3e-13, 1e-10, 0.5] {

@@ -48,7 +48,7 @@ impl Friction {
     }
 }
 
-/// Requires a size whose squares are numbers.
+/// Its square has to be a number.
 fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
     let fit = value == 0.0 || (SMALLEST..=LARGEST).contains(&value);
     check(name, value, fit, "0 or between 1e-50 and 1e50")
@@ -97,19 +97,17 @@ pub fn run_to_stop(
 const LARGEST: f64 = 1e50;
 const SMALLEST: f64 = 1e-50;
 
-/// A motion in the making.
 struct Run<'a> {
     plane: &'a dyn Acceleration,
     friction: f64,
     holding: f64,
     until: f64,
     steps: usize,
-    /// State reached.
     state: State,
     motion: Motion,
 }
 
-/// The acceleration about a time, and how long its series serves.
+/// And how long its series serves.
 struct Local {
     a: [Coefficients; 2],
     /// The least of: what its last coefficients allow, the next break, the end of the motion.
@@ -192,7 +190,6 @@ impl<'a> Run<'a> {
         Ok(self.motion)
     }
 
-    /// The acceleration about the present time.
     fn local(&mut self) -> Result<Local, MotionError> {
         let t = self.state.t;
         self.steps += 1;
@@ -229,7 +226,7 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// A piece over the time `h`, or until it lands, with a velocity known by its series.
+    /// Over the time `h`, or until it lands, with a velocity known by its series.
     fn arc(&mut self, v: [Coefficients; 2], h: f64, landing: Option<f64>) {
         let State { t, x, .. } = self.state;
         let path: [Coefficients; 2] = [0, 1].map(|i| {
@@ -252,13 +249,12 @@ impl<'a> Run<'a> {
         self.push(Piece::Arc(Box::new(arc)), end);
     }
 
-    /// Ends a piece: the motion is now in `state`.
     fn push(&mut self, piece: Piece, state: State) {
         self.motion.pieces.push(piece);
         self.state = state;
     }
 
-    /// Ends a phase; two slides that follow each other without a stop are one.
+    /// Two slides that follow each other without a stop are one.
     fn close(&mut self, kind: PhaseKind, from: f64) {
         let to = self.state.t;
         let stopped_here = self.motion.stops.last() == Some(&from);

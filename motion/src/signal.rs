@@ -143,7 +143,6 @@ impl Signal {
     }
 }
 
-/// The product of two series.
 fn multiplied(a: &Coefficients, b: &Coefficients) -> Coefficients {
     let terms = |c: &Coefficients| c.iter().rposition(|c| *c != 0.0).map_or(0, |k| k + 1);
     let (few, many) = if terms(a) < terms(b) { (a, b) } else { (b, a) };

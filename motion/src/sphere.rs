@@ -82,7 +82,6 @@ pub struct Transition {
     pub to: Contact,
 }
 
-/// Vector product.
 #[inline(always)]
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [
@@ -208,7 +207,6 @@ impl Sphere {
 /// Components x, y, v_x, v_y, ω_x, ω_y, ω_z, c_x, c_y; with the time in front where it is one of them.
 const PARTS: usize = 9;
 
-/// A piece of a motion with one analytic description.
 #[derive(Debug, Clone, PartialEq)]
 enum Piece {
     /// Sliding, in the time s.
@@ -238,7 +236,6 @@ impl Piece {
         }
     }
 
-    /// All components at time `t`.
     fn parts(&self, t: f64) -> Result<[f64; PARTS], MotionError> {
         Ok(match self {
             Self::Slide { step, .. } => {
@@ -347,7 +344,6 @@ impl BallMotion {
         self.tracked(7)
     }
 
-    /// By the components of the velocity from this one on.
     fn tracked(&self, first: usize) -> Result<Track<'_>, MotionError> {
         let parts = self.pieces.iter().map(|piece| {
             let (own, series) = match piece {

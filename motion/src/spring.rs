@@ -152,7 +152,6 @@ mod tests {
             (after.x + 0.5 - 0.5 * (2.0 - 2.0_f64.sin())).abs() < 1e-13,
             "{after:?}"
         );
-        // All of it from the other side.
         let back = Signal::Polynomial(vec![0.0, -0.5]);
         let mirrored = spring.run(&back, at(0.5, 0.0), 3.0).unwrap().end;
         assert_eq!((mirrored.x, mirrored.v), (-after.x, -after.v));

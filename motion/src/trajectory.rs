@@ -11,7 +11,7 @@ use crate::numerics::{
     taylor::{Step, TERMS},
 };
 
-/// State of a particle: on a plane in its frame, on a turntable in the frame that is named.
+/// On a plane in its frame, on a turntable in the frame that is named.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Time.
@@ -68,14 +68,12 @@ pub struct Phase {
     pub to: f64,
 }
 
-/// A piece of a motion with one analytic description.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Piece {
     /// Sliding; components v_x, v_y, t, x, y as functions of s, dt = |v| ds.
     Slide(Box<Step<f64, 5, TERMS>>),
     /// Sliding close to rest; v and x as functions of t.
     Arc(Box<Arc>),
-    /// At rest.
     Rest { from: f64, x: [f64; 2] },
 }
 
@@ -84,13 +82,12 @@ pub(super) enum Piece {
 pub(super) struct Arc {
     pub(super) from: f64,
     pub(super) to: f64,
-    /// Series of the velocity and of the position.
+    /// Of the velocity and of the position.
     pub(super) v: [Coefficients; 2],
     pub(super) x: [Coefficients; 2],
 }
 
 impl Arc {
-    /// State at time `t`.
     fn state(&self, t: f64) -> State {
         let tau = t - self.from;
         let both = |c: &[Coefficients; 2]| [value(&c[0], &tau), value(&c[1], &tau)];
@@ -111,7 +108,6 @@ impl Piece {
         }
     }
 
-    /// State at the beginning.
     fn begin(&self) -> State {
         match self {
             Self::Slide(step) => step.state(0.0, step.t_start()),
@@ -124,7 +120,6 @@ impl Piece {
         }
     }
 
-    /// State at time `t` of the piece.
     pub(super) fn at(&self, t: f64) -> Result<State, MotionError> {
         Ok(match self {
             Self::Slide(step) => step.state(step.s_at(t - step.t_start()), t),
@@ -180,13 +175,10 @@ impl Piece {
 
 /// A step of sliding, in which the time is one of the components.
 pub(super) trait SlideStep {
-    /// Time at the beginning.
     fn t_start(&self) -> f64;
-    /// The s in the step by which the time `elapsed` has gone by.
+    /// The s by which the time `elapsed` has gone by.
     fn s_at(&self, elapsed: f64) -> f64;
-    /// The time that goes by in the step.
     fn elapsed(&self) -> f64;
-    /// State at `s`, when the time is `t`.
     fn state(&self, s: f64, t: f64) -> State;
 }
 
@@ -226,7 +218,6 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// A motion that has not moved yet.
     pub(super) fn begin(start: State, drive_error: f64) -> Self {
         let (pieces, phases) = (Vec::new(), Vec::new());
         Self {
@@ -392,7 +383,6 @@ mod tests {
 
     #[test]
     fn the_first_moments_of_a_slide_know_where_they_point() {
-        // A turning pull that begins at t = 1 and lasts for a while.
         let pulled = |to| {
             let strength =
                 Signal::Product(vec![Signal::Pulse { from: 1.0, to }, Signal::constant(1.5)]);
@@ -412,7 +402,6 @@ mod tests {
             let v = long.at(t).unwrap().v;
             let found = long.first_along(v).unwrap().unwrap();
             assert!((found.t - t).abs() < 1e-12, "{found:?} {t}");
-            // A pull that ends before turns no farther.
             let short = pulled(1.0 + (part - 0.05) * length);
             assert_eq!(short.first_along(v).unwrap(), None, "{part}");
         }

@@ -113,10 +113,8 @@ pub fn find(
     Ok(found.map_err(wrong)?.solutions)
 }
 
-/// What is said of a recording.
 const OF_RECORD: [&str; 3] = ["record", "columns", "towards"];
 
-/// What the recording among these words does, if there is one.
 fn shaken(given: &Bound<'_, PyDict>) -> PyResult<Option<Part>> {
     let [recording, columns, towards] = OF_RECORD.map(|name| given.get_item(name));
     let Some(recording) = recording? else {

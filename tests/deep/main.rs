@@ -11,7 +11,7 @@ use slipbook::ledger::{Ledger, deep::Deep};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// The ledger of a usual run, and with what the deep run has brought in its place.
+/// Of a usual run, and with what the deep run has brought in its place.
 static LEDGERS: LazyLock<[Ledger; 2]> = LazyLock::new(|| {
     let now = Ledger::try_all(&PAPER, |_| {});
     let record = Deep::read(&PAPER.deep).expect("there is a record of a deep run");
@@ -40,12 +40,11 @@ fn outcomes_and_verdicts_are_those_of_a_usual_run() {
     assert!(compared > 0, "no line of the record is of a trial");
 }
 
-/// How many times looser a tolerance may be than the worst disagreement that it admits.
+/// Than the worst disagreement that a tolerance admits.
 const SLACK: f64 = 10.0;
 
-/// A tolerance is that of a method, and its reason speaks of the hardest case; two of three of its users come ten times closer, and
-/// each would need a number of its own, that could only be taken from what it measures. What holds each by itself is that it has
-/// to notice a mistake of twice its tolerance (`.ci/deep distrust`).
+/// A tolerance is that of a method, and its reason speaks of the hardest case; two of three users come ten times closer. What
+/// holds each is that it has to notice a mistake of twice its tolerance (`.ci/deep distrust`).
 #[test]
 fn no_tolerance_is_far_looser_than_the_worst_that_it_admits() {
     let [_, deep] = &*LEDGERS;

@@ -16,7 +16,7 @@ fn table() -> Table {
     }
 }
 
-/// A particle on the table, by the integration on the table and by that in the laboratory.
+/// By the integration on the table and by that in the laboratory.
 fn both(start: &turntable::State, until: f64) -> [Path; 2] {
     let table = table();
     let outside = table.to_laboratory(start);
@@ -51,7 +51,7 @@ fn the_last_way_to_a_stop_is_that_of_a_constant_force() {
                 let time = late.t - early.t;
                 let lost = early.speed() - late.speed();
                 let expected = 0.5 * (slowing(&early) + slowing(&late)) * time;
-                // The direction turns a little on the way; and times are rounded.
+                // It turns a little, and times are rounded.
                 let close = |a: f64, b: f64| (a - b).abs() < 3e-3 * b.abs() + 1e-14;
                 assert!(
                     close(lost, expected),
@@ -144,7 +144,7 @@ fn a_table_beyond_its_range_is_refused_by_name() {
     assert!(still.check().is_ok());
 }
 
-/// Without friction the velocity is known: at every time, and so the time at which it has a given direction.
+/// Without friction the velocity is known at every time.
 #[test]
 fn a_velocity_has_a_direction_when_it_first_points_there() {
     let start = State {
@@ -199,7 +199,7 @@ fn a_velocity_has_a_direction_when_it_first_points_there() {
     );
 }
 
-/// From rest, under a pull that is a number at all times: the place or the velocity is one for some of the time only.
+/// From rest: the place or the velocity is a number for some of the time only.
 #[test]
 fn a_motion_that_leaves_the_numbers_is_an_error() {
     let beyond = |error| {

@@ -8,7 +8,7 @@ use slipbook::motion::drive::{Drive, DriveState, Friction, Interval, Sign};
 use slipbook::paper::sinusoidal;
 use std::f64::consts::{PI, TAU};
 
-/// Begin and end of the motion of one sign, within a turn of `near`.
+/// Within a turn of `near`.
 fn moved(intervals: &[Interval], sign: Sign, near: [f64; 2]) -> [f64; 2] {
     let found = intervals.iter().find(|i| i.sign == sign);
     found.map_or([near[1]; 2], |i| {
@@ -49,7 +49,6 @@ fn arcs_are_those_of_the_motion() {
                     );
                 }
             }
-            // The phases themselves, not only up to a turn.
             let wait = arcs.backward[0] - arcs.forward[1];
             assert!(
                 (0.0..PI).contains(&arcs.forward[0]),

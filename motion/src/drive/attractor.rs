@@ -229,7 +229,7 @@ fn narrowed(low: f64, high: f64, w: f64, change: f64) -> (f64, f64) {
     }
 }
 
-/// Periods of plain following: those counted, and those that a distance takes at a rate.
+/// Those counted, and those that a distance takes at a rate.
 fn plain_periods(counted: f64, distance: Option<f64>, rate: f64, size: f64) -> Option<u64> {
     let more = match distance {
         None => 1.0,
@@ -331,7 +331,7 @@ impl<'d> Attractor<'d> {
         self.periods
     }
 
-    /// Largest difference of w from another motion, over 64 phases.
+    /// Over 64 phases.
     fn apart(&self, other: &Self) -> f64 {
         let phases = (0..64).map(|k| TAU * f64::from(k) / 64.0);
         phases
@@ -370,7 +370,6 @@ impl<'d> Attractor<'d> {
 mod tests {
     use super::*;
 
-    /// Both rest at the phase 0; one moves at others.
     #[test]
     fn motions_are_compared_at_all_phases() {
         let drive = Drive::new(libm::sin, &[]).unwrap();
@@ -415,14 +414,12 @@ mod tests {
                 Some(counted + 5)
             );
         }
-        // Nothing was accelerated; it was, but hardly; a rest; nothing shrinks.
         assert_eq!(plain_periods(4.0, None, 0.5, 1.0), Some(5));
         assert_eq!(plain_periods(4.0, Some(1e-13), 0.5, 1.0), Some(6));
         assert_eq!(plain_periods(4.0, Some(1.0), 0.0, 1.0), Some(6));
         assert_eq!(plain_periods(4.0, Some(1.0), 1.0, 1.0), None);
     }
 
-    /// Whichever start it is.
     #[test]
     fn of_several_starts_the_most_periods_are_told() {
         let drive = Drive::new(libm::sin, &[]).unwrap();

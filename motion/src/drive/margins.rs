@@ -24,10 +24,10 @@ pub struct Margins {
 /// A stretch of one piece of h within one interval.
 struct Stretch {
     piece: usize,
-    /// Ends, from the left end of the piece.
+    /// From the left end of the piece.
     s0: f64,
     s1: f64,
-    /// The phase at the left end of the piece, not reduced.
+    /// At the left end of the piece, not reduced.
     phi: f64,
     /// w at `s0`; of no meaning in a rest.
     w0: f64,
@@ -74,7 +74,7 @@ impl Attractor<'_> {
         self.friction.plus * forward + self.friction.minus * backward
     }
 
-    /// How far the particle goes forwards, and how far backwards, in a period: ∫ |w| dφ over either, dimensionless.
+    /// ∫ |w| dφ in a period, forwards and backwards; dimensionless.
     pub fn distances(&self) -> [f64; 2] {
         let [mut forward, mut backward] = [0.0; 2];
         self.walk(
@@ -163,7 +163,7 @@ impl Attractor<'_> {
         margins
     }
 
-    /// The level of h at which w of this sign has its extrema.
+    /// Where w of this sign has its extrema.
     fn level(&self, sign: Sign) -> f64 {
         match sign {
             Sign::Positive => self.friction.plus(),
@@ -172,7 +172,6 @@ impl Attractor<'_> {
         }
     }
 
-    /// Visits every stretch of a piece in every interval, in order.
     fn walk(&self, mut visit: impl FnMut(&Interval, Stretch)) {
         let shape = self.drive.shape();
         let pieces = shape.pieces();
@@ -216,7 +215,6 @@ mod tests {
     use super::super::{Drive, DriveState, Friction};
     use std::f64::consts::TAU;
 
-    /// A drive that begins later has the largest velocity later by as much, in the same period.
     #[test]
     fn the_largest_velocity_has_its_phase_within_a_period() {
         let largest = |late: f64| {

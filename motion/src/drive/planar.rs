@@ -104,20 +104,19 @@ impl Drive {
     }
 }
 
-/// The equations on one piece of h; the state is (s, a, b) with s the distance from the piece's left end.
+/// On one piece of h; the state is (s, a, b) with s the distance from the piece's left end.
 struct Layer<'p> {
     piece: &'p Piece,
     lambda: f64,
 }
 
-/// What a step needs besides the state.
 #[derive(Default)]
 struct Work {
-    /// The series of the exponentials.
+    /// Of the exponentials.
     exponentials: [[f64; TERMS]; 2],
-    /// The coefficients of h in powers of the distance from the begin of the step.
+    /// In powers of the distance from the begin of the step.
     h: Vec<f64>,
-    /// The series of the partial sums of Horner's scheme for h.
+    /// Of the partial sums of Horner's scheme for h.
     partial: Vec<[f64; TERMS]>,
 }
 
@@ -163,7 +162,6 @@ impl System<f64, 3, TERMS> for Layer<'_> {
     }
 }
 
-/// A motion under way.
 struct Flight<'d> {
     drive: &'d Drive,
     lambda: f64,
@@ -208,7 +206,7 @@ impl<'d> Flight<'d> {
         (size.copysign(a - b), 0.5 * (a + b))
     }
 
-    /// To the phase `phi`, or to the phase before it at which the particle stops.
+    /// Or to the phase before it at which the particle stops.
     fn run_to(&mut self, phi: f64) -> Result<Option<f64>, DriveError> {
         let allowed = STEPS_PER_PERIOD * (1.0 + (phi - self.origin) / TAU);
         let mut steps = 0.0;
@@ -243,7 +241,7 @@ impl<'d> Flight<'d> {
         }
     }
 
-    /// One step on `piece`, at most to `s = end`.
+    /// At most to `s = end`.
     fn step(&mut self, piece: &Piece, end: f64) -> Result<(), DriveError> {
         let [s, a, b] = self.state;
         if a.max(b) < DEEP {

@@ -20,7 +20,7 @@ fn settle(drive: &Drive, plus: f64, minus: f64, start: DriveState) -> Attractor<
 
 use Sign::{Negative, Positive, Rest};
 
-/// Composite Gauss-Legendre quadrature of h itself, two points.
+/// Two points of h itself, composite Gauss–Legendre.
 fn quadrature(h: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
     let n = 4000;
     let half = 0.5 * (b - a) / n as f64;
@@ -193,8 +193,8 @@ proptest! {
 
 #[test]
 fn the_first_of_the_neutral_motions_is_found_from_below_and_above() {
-    // The mean is the friction on the way up. From below, two zeros per period: accelerated, and past the motion
-    // that touches zero where h is curved so. It touches where h jumps up, at φ = 0.
+    // From below, two zeros per period: accelerated, and past the motion that touches zero where h is curved so. It touches where
+    // h jumps up, at φ = 0.
     for slope in [0.6, -0.6] {
         for side in [1.0, -1.0] {
             let h = move |x: f64| {

@@ -116,7 +116,7 @@ pub enum ExamError {
     /// An enclosure that is not proved.
     #[error(transparent)]
     Certified(#[from] CertifiedError),
-    /// A root that is not found.
+    /// A root not found.
     #[error(transparent)]
     Numerics(#[from] NumericsError),
     /// An event that the question is about does not happen.
@@ -196,7 +196,6 @@ impl Task {
                 (_, answer) => (answer, None, Basis::Integrated),
             },
         };
-        // An error that is the difference itself excuses none.
         let bound = match basis {
             Basis::Certified => error.unwrap_or(0.0),
             Basis::Integrated => 0.0,
@@ -250,7 +249,6 @@ impl Sat {
             .min(15.0 + known(x.abs().max(1e-3)))
             .clamp(0.0, 15.0);
         let text = format!("{x:.0$}", decimals as usize);
-        // An exact answer is written without the zeros behind it.
         match text.contains('.') {
             true if format!("{x}").len() < text.len() => format!("{x}"),
             _ => text,
@@ -274,7 +272,7 @@ impl Sat {
     }
 }
 
-/// The numbers that are no farther from one than this, rounded outwards; no more than that one, if the error is nothing.
+/// Rounded outwards; no more than that one, if the error is nothing.
 fn around(x: f64, error: f64) -> [f64; 2] {
     match error > 0.0 {
         true => [(x - error).next_down(), (x + error).next_up()],
@@ -290,12 +288,10 @@ macro_rules! fraction {
 }
 use fraction;
 
-/// n/m as a ball.
 fn ratio(n: i64, m: i64, bits: usize) -> Result<trialbook::certified::ball::Ball, CertifiedError> {
     valued(trialbook::certified::ball::Ball::ratio(n, m, bits))
 }
 
-/// What an operation without a value is.
 fn valued<T>(value: Option<T>) -> Result<T, CertifiedError> {
     value.ok_or_else(|| CertifiedError::unproved("an operation has no value", &[]))
 }

@@ -13,7 +13,7 @@ pub const MANNERS: [&[Sign]; 5] = {
 
 /// Above this λ₀ nothing moves.
 const TOP: f64 = 1.4;
-/// The map begins here: at λ₀ = 0 without friction nothing ever settles.
+/// At λ₀ = 0 nothing ever settles.
 const BOTTOM: f64 = 1e-3;
 
 /// The motion with λ₊ = λ₀, λ₋ = qλ₀ from the velocity `w` at φ = 0.
@@ -71,14 +71,13 @@ pub fn film(q: f64, lambda0: f64, w: f64) -> Result<Answer, ExplorerError> {
     tray::film(drive()?, friction, w, |phi| libm::sincos(phi).into())
 }
 
-/// The drive sin φ.
 pub(super) fn drive() -> Result<&'static Drive, DriveError> {
     static DRIVE: LazyLock<Result<Drive, DriveError>> =
         LazyLock::new(|| Drive::new(libm::sin, &[]));
     DRIVE.as_ref().map_err(Clone::clone)
 }
 
-/// The region, 1 to 5, of a periodic motion; 0 if its order of intervals is none of the five.
+/// 1 to 5; 0 if the order of intervals is none of the five.
 fn region(intervals: &[Interval]) -> usize {
     let fits = |manner: &&[Sign]| manner.iter().copied().eq(intervals.iter().map(|i| i.sign));
     MANNERS.iter().position(fits).map_or(0, |i| i + 1)

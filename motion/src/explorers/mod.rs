@@ -1,11 +1,10 @@
 //! What the book's explorers ask: a few numbers in, the values and curves to show out.
 //!
-//! An explorer is a figure that answers to the hand. Its pictures are drawn in the reader's browser, but nothing is
-//! computed there in another language: the questions below are put to this module, compiled to WebAssembly (see
-//! `book/explorers`). The answers come from [motions](crate) alone.
+//! Pictures are drawn in the reader's browser, but computed by this module, compiled to WebAssembly (see `book/explorers`), from
+//! [motions](crate) alone.
 //!
-//! A question is a number of [`QUESTIONS`] with up to four arguments, its answer a list of values and a list of
-//! curves, so that one narrow door serves all.
+//! A question is a number of [`QUESTIONS`] with up to four arguments, its answer a list of values and a list of curves, so that
+//! one narrow door serves all.
 
 pub mod anisotropic;
 pub mod constant;
@@ -29,8 +28,8 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The answer as one list: the number of values, the values, the number of curves, and for each curve the
-    /// number of its points and their coordinates.
+    /// As one list: the number of values, the values, the number of curves, and for each curve the number of its points and their
+    /// coordinates.
     pub fn flat(&self) -> Vec<f64> {
         let mut list = vec![self.values.len() as f64];
         list.extend(&self.values);
@@ -91,10 +90,9 @@ pub fn answer(number: usize, arguments: [f64; 4]) -> Result<Answer, ExplorerErro
     question.ok_or(ExplorerError::Question { number })?(arguments)
 }
 
-/// Pictures in a film of given length, beside the first.
+/// In a film, beside the first.
 const PICTURES: u32 = 480;
 
-/// 1 for yes, 0 for no.
 fn flag(truth: bool) -> f64 {
     f64::from(u8::from(truth))
 }

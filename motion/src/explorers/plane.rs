@@ -4,7 +4,6 @@ use super::{Answer, ExplorerError, PICTURES, anisotropic::drive, spread};
 use crate::drive::PlanarState;
 use std::f64::consts::TAU;
 
-/// Periods shown.
 const SHOWN: f64 = 4.0;
 /// The logarithm of a velocity across is shown down to here.
 const DEEPEST: f64 = -1e3;

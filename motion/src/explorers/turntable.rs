@@ -12,15 +12,14 @@ const LONGEST: f64 = 60.0;
 const FARTHEST: f64 = 6.0;
 /// How long a path is followed after its escape is certain.
 const AFTER: f64 = 8.0;
-/// From the logarithm of what time on, to what time, the growth is shown.
+/// In logarithms of the time.
 const EARLY: f64 = 0.5;
 const LATE: f64 = 1e4;
-/// Steps along each side of the first survey of the velocities, and the largest of their components.
+/// Steps along each side of the first survey of velocities, and their largest component.
 const SURVEY: u32 = 10;
 const LARGEST: f64 = 3.0;
 /// Points of the boundary, and to what its distance from the middle is found: less than a picture shows.
 const AROUND: u32 = 96;
-/// Points while a hand moves.
 const COARSE: u32 = 48;
 const WIDTH: f64 = 2e-3;
 
@@ -152,8 +151,7 @@ pub fn boundary(rho: f64, coarse: bool) -> Result<Answer, ExplorerError> {
     })
 }
 
-/// The distance up to which it rests, looked for from the one that is expected, if any is: as far around as it takes, then by
-/// bisection.
+/// The distance up to which it rests, looked for from the expected one, if any: as far around as it takes, then by bisection.
 fn edge(
     rests: impl Fn(f64) -> Result<bool, MotionError>,
     expected: f64,
@@ -193,7 +191,7 @@ mod tests {
     #[test]
     fn a_growth_ends_with_the_rest() {
         let shown = |rho| growth(rho).unwrap().curves.remove(0);
-        // Shortly before the critical radius, 0.8719…, and beyond it.
+        // The critical radius is 0.8719….
         let Fate::Rest { sigma, tau, .. } = fate(&Start::put_down(0.8719).unwrap()).unwrap() else {
             panic!("it comes to rest")
         };

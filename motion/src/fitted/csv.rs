@@ -36,7 +36,6 @@ impl Recording {
         read_all(text, columns, true)
     }
 
-    /// The usual step of time.
     fn step(&self) -> f64 {
         median(self.rows.windows(2).map(|pair| pair[1].0 - pair[0].0))
     }
@@ -84,7 +83,6 @@ pub(super) fn rows(text: &str, asked: &Columns) -> Result<Vec<(f64, [f64; 2])>, 
     read_all(text, asked, false).map(|recording| recording.rows)
 }
 
-/// What is refused, with its line.
 pub(super) fn refuse(line: usize, text: &str, why: &'static str) -> FitError {
     FitError::Line {
         line,
@@ -105,7 +103,6 @@ fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording,
         .zip(all())
         .filter(|(_, line)| !passed(line))
         .peekable();
-    // A spreadsheet's word for its separator.
     let stated = lines.next_if(|(_, line)| line.trim_matches('"').starts_with("sep="));
     let parts = |line: &str| {
         let several = |c: &char| cells(line, *c).len() > 1;
@@ -242,7 +239,6 @@ fn parsed(cell: &str) -> Option<f64> {
     cell.replace(',', ".").replace('−', "-").parse().ok()
 }
 
-/// A number, with the decimal sign of the file.
 pub(super) fn read(
     cell: &str,
     separator: char,
@@ -275,7 +271,6 @@ struct Places {
     bare: [bool; 2],
 }
 
-/// The one that there is, if any.
 fn only(
     mut of: impl Iterator<Item = usize>,
     several: &'static str,
@@ -284,7 +279,7 @@ fn only(
     of.next().map_or(Ok(first), |_| Err(several))
 }
 
-/// Finds the columns: by what is asked for, by the names in the head and, if there is one, the line of units below.
+/// By what is asked for, by the names in the head and by the line of units below it.
 fn places(
     heads: &[Vec<&str>],
     count: usize,
@@ -398,10 +393,9 @@ fn places(
     })
 }
 
-/// What the head says of a column.
 struct Column {
     words: Vec<String>,
-    /// Its unit without what can be written in several ways; nothing where none is said.
+    /// [`plain`]; empty where none is said.
     unit: String,
 }
 
@@ -502,7 +496,6 @@ impl Column {
     }
 }
 
-/// Whether a word means acceleration.
 fn is_acceleration(word: &str) -> bool {
     word == "gf" || word.ends_with("acc") || ACCELERATION.iter().any(|part| word.contains(part))
 }
@@ -517,7 +510,7 @@ fn axis(word: &str) -> Option<(char, &str)> {
     ("acceleration".starts_with(rest) || is_acceleration(rest)).then_some((axis, rest))
 }
 
-/// A unit without what can be written in several ways.
+/// Without what can be written in several ways.
 pub(super) fn plain(unit: &str) -> String {
     let mut unit = unit.to_lowercase();
     unit.retain(|c| !c.is_whitespace() && !"^*.()[]{}·⋅".contains(c));
@@ -620,8 +613,7 @@ mod tests {
         }
     }
 
-    /// One column, whatever stands beside it, is an acceleration by its name or its unit: below `= 9.80665` those that are in g, below
-    /// `= none` those that are none.
+    /// Below `= 9.80665` those in g, below `= none` those that are none.
     #[test]
     fn a_head_says_what_its_column_is() {
         let mut size = None;

@@ -6,7 +6,6 @@ use super::{
     sensor::{SAME, Sensor},
 };
 
-/// The fewest rows of a plateau.
 const ROWS: usize = 8;
 /// How much of its level a plateau may change from its beginning to its end.
 const FLAT: f64 = 0.2;
@@ -17,9 +16,8 @@ const OTHERS: f64 = 0.25;
 /// The part of all rows without rest that slips have at least, where a piece counts as the longest of them at most: in what is shaken and
 /// sticks some plateaus are chance, but a board is raised slowly.
 const SHARE: f64 = 0.08;
-/// The least ratio of a slip: below it a sensor's zeros decide.
+/// Below this ratio a sensor's zeros decide.
 const LEAST: f64 = 0.02;
-/// So many parts at least a coefficient is averaged from.
 const PARTS: usize = 12;
 /// The variance of what nothing is known of, in those of a row.
 const FREE: f64 = 1e8;
@@ -59,14 +57,13 @@ fn change(sensor: &Sensor, piece: &Piece) -> (f64, f64) {
     (last * piece.line.slope(), last * error)
 }
 
-/// Whether it changes so little that it can be a slip by Coulomb's law.
 fn is_level(sensor: &Sensor, piece: &Piece) -> bool {
     let (change, error) = change(sensor, piece);
     change.abs() < (SLIGHT * piece.line.y).max(SURE * error)
 }
 
-/// Whether a plateau and what lies around it, half as long before and after it, are less like one quartic than like three lines: a
-/// factor of 10⁴ at least. Nothing counts of how far away it is around, nor of the rows next to the plateau.
+/// Whether a plateau and its surroundings, half as long before and after it, are less like one quartic than like three lines, by
+/// a factor of 10⁴ at least. The rows next to the plateau do not count.
 fn is_sharp(sensor: &Sensor, piece: &Piece) -> bool {
     let margin = (piece.to - piece.from).div_ceil(2).max(BLOCK);
     let before = piece.from.saturating_sub(BLOCK);
@@ -96,8 +93,8 @@ fn is_sharp(sensor: &Sensor, piece: &Piece) -> bool {
     rows * libm::log((quartic.left + floor) / (lines + floor)) > 10.0 * sensor.alike
 }
 
-/// Whether a blow comes before it in its own direction: a stop has caught the body, and may hold it. One that has been pushed slips
-/// with friction against the push.
+/// Whether a blow comes before it in its own direction: a stop has caught the body, and may hold it. A pushed body slips with
+/// friction against the push.
 fn is_caught(sensor: &Sensor, piece: &Piece) -> bool {
     let size = |k: &usize| sensor.ratio[*k];
     let before = piece.from.saturating_sub(BLOW)..(piece.from + 2).min(piece.to);
@@ -108,7 +105,7 @@ fn is_caught(sensor: &Sensor, piece: &Piece) -> bool {
     })
 }
 
-/// The plateaus that have a level in common on which the body is longest; and whether there are some that may be a rest on a tilted floor.
+/// Those of [`sliding`] that are slips, and whether some may be a rest on a tilted floor.
 pub(crate) fn slips(sensor: &Sensor, pieces: &[Piece]) -> (Vec<Piece>, bool) {
     let mut all = plateaus(sensor, pieces);
     // What rises or falls slowly may be a rest on a board that is raised.
@@ -131,8 +128,8 @@ pub(crate) fn slips(sensor: &Sensor, pieces: &[Piece]) -> (Vec<Piece>, bool) {
     (all, rests)
 }
 
-/// The plateaus that have a level in common on which the body is longest, but for those that may be a rest on a tilted floor, and whether there
-/// are such.
+/// The plateaus with a common level on which the body is longest, but for those that may be a rest on a tilted floor, and whether
+/// there are such.
 fn sliding(sensor: &Sensor, pieces: &[Piece], mut all: Vec<Piece>) -> (Vec<Piece>, bool) {
     let mut rests = false;
     let weight = sensor.weight(&all);
@@ -166,7 +163,6 @@ fn top(sensor: &Sensor, pieces: &[Piece], plateaus: &[Piece]) -> f64 {
     })
 }
 
-/// The plateaus about the level on which most rows lie, as one.
 fn commonest(sensor: &Sensor, plateaus: &[Piece]) -> Line {
     let mut longest: Vec<_> = plateaus.iter().collect();
     longest.sort_by(|a, b| b.line.rows.total_cmp(&a.line.rows));
@@ -182,15 +178,15 @@ fn commonest(sensor: &Sensor, plateaus: &[Piece]) -> Line {
         .unwrap_or_default()
 }
 
-/// The rows of a plateau but for its ends, which a sensor's filter, or a stop, may have touched.
+/// But for its ends, which a sensor's filter, or a stop, may have touched.
 fn core(piece: &Piece) -> [usize; 2] {
     let rows = piece.to - piece.from;
     let end = 4.min(rows / 4) + rows / 20;
     [piece.from + end, piece.to - end]
 }
 
-/// The coefficient in these rows, and the mean of N/m. Rows that are far off their middle do not count, as those between two slips
-/// to and fro; a size is greater by noise across.
+/// The coefficient, and the mean of N/m. Rows far off their middle do not count, as those between two slips to and fro; a size is
+/// greater by noise across.
 fn coefficient(sensor: &Sensor, [from, to]: [usize; 2]) -> (f64, f64) {
     let middle = median(sensor.ratio[from..to].iter().copied());
     let off = |k: usize| (sensor.ratio[k] - middle).abs();
@@ -203,8 +199,7 @@ fn coefficient(sensor: &Sensor, [from, to]: [usize; 2]) -> (f64, f64) {
     ((sizes.y - across) / sizes.t, sizes.t)
 }
 
-/// Least squares for the coefficient and the zeros, of which something is known: between which numbers it lies, and how far these
-/// are off.
+/// Least squares for the coefficient and the zeros, of which something is known: its interval, and how far these are off.
 pub(crate) fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
     let each = PARTS.div_ceil(slips.len());
     let mut parts = Vec::new();
@@ -224,7 +219,7 @@ pub(crate) fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
     let free = parts.len() as f64 - 1.0;
     let [x, y] = sensor.shifted.map(|x| -x);
     let before = Squares::new([parts[0].1, x, y], [1.0, sensor.doubt, sensor.doubt]);
-    // How far the parts scatter about the coefficient says what a row weighs.
+    // The parts' scatter about the coefficient says what a row weighs.
     let (mut all, mut scatter) = (before, 1.0);
     for _ in 0..3 {
         all = before;
@@ -256,7 +251,6 @@ pub(crate) fn student(free: f64) -> f64 {
     1.96 + 2.372 / free + 2.823 / (free * free) + 2.5 / free.powi(3)
 }
 
-/// Whether the slips agree among each other and within.
 pub(crate) fn verdict(sensor: &Sensor, pieces: &[Piece], slips: &[Piece]) -> Verdict {
     let all = slips
         .iter()
@@ -297,7 +291,7 @@ pub(crate) fn verdict(sensor: &Sensor, pieces: &[Piece], slips: &[Piece]) -> Ver
     }
 }
 
-/// The mean of numbers with variances, its error, by these or by how they scatter, and χ².
+/// With its error, by the variances or by how they scatter, and χ².
 pub(crate) fn mean(list: &[(f64, f64)]) -> [f64; 3] {
     let sum = |of: &dyn Fn(f64) -> f64| list.iter().map(|(x, v)| of(*x) / v).sum::<f64>();
     let weight = sum(&|_| 1.0);

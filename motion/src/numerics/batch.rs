@@ -12,25 +12,22 @@ pub(crate) struct Batch<const D: usize, const N: usize, const L: usize> {
 }
 
 impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
-    /// Room for the series, with every motion at zero.
     pub(crate) fn new() -> Self {
         let series = [[Lanes::all(0.0); N]; D];
         Self { series }
     }
 
-    /// Puts the motion in `lane` into a state.
     pub(crate) fn set(&mut self, lane: usize, state: &[f64; D]) {
         for (x, value) in self.series.iter_mut().zip(state) {
             x[0].0[lane] = *value;
         }
     }
 
-    /// The series of the motion in `lane`.
     pub(crate) fn lane(&self, lane: usize) -> [[f64; N]; D] {
         std::array::from_fn(|i| std::array::from_fn(|k| self.series[i][k].0[lane]))
     }
 
-    /// Finds the series about the states, for a system that does not depend on the time.
+    /// For a system that does not depend on the time.
     #[inline(always)]
     pub(crate) fn expand<S: System<Lanes<L>, D, N>>(&mut self, system: &S) {
         let mut work = S::Work::default();
@@ -63,7 +60,6 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
         largest.map(log2)
     }
 
-    /// The states at the distances `h`.
     #[inline(always)]
     pub(crate) fn after(&self, h: &Lanes<L>) -> [Lanes<L>; D] {
         let mut states = [Lanes::all(0.0); D];
@@ -73,7 +69,6 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
         states
     }
 
-    /// Goes on to these states.
     #[inline(always)]
     pub(crate) fn go(&mut self, states: &[Lanes<L>; D]) {
         for (x, state) in self.series.iter_mut().zip(states) {
@@ -97,7 +92,6 @@ fn log2(x: f64) -> f64 {
     f64::from((x.to_bits() >> 32) as i32) / f64::from(1 << 20) - 1023.0
 }
 
-/// The inverse of [`log2`].
 #[inline(always)]
 fn exp2(x: f64) -> f64 {
     // `reach` asks for exponents far inside the range.

@@ -119,8 +119,8 @@ pub fn roots(series: &[f64], h: f64) -> Result<Vec<Root>, NumericsError> {
 /// Relative size of last terms that no value notices.
 const NEGLIGIBLE: f64 = 1e-20;
 
-/// Whether the Bernstein coefficients of a polynomial on [0, 1] are all positive or all negative, by more than
-/// rounding: then so are its values. It may be so without this being seen.
+/// Whether its Bernstein coefficients on [0, 1] are of one sign by more than rounding: then so are its values. It may be so
+/// without this being seen.
 fn keeps_sign(polynomial: &[f64]) -> bool {
     // b_j = Σ C(j, i)/C(n, i) a_i, i ≤ j: the sums of a triangle of a_i/C(n, i), row by row.
     let n = polynomial.len().saturating_sub(1);
@@ -142,7 +142,7 @@ fn keeps_sign(polynomial: &[f64]) -> bool {
     least > rounding || most < -rounding
 }
 
-/// Bound for the rounding errors of the value at `u`.
+/// Of the value at `u`.
 fn rounding(scaled: &[f64], u: f64) -> f64 {
     4.0 * f64::EPSILON * scaled.iter().rev().fold(0.0, |sum, c| sum * u + c.abs())
 }
@@ -163,7 +163,6 @@ mod tests {
         assert!(keeps_sign(&[-1.0, -0.5, 0.2]));
     }
 
-    /// Coefficients of the product of (u − r) over the given roots.
     fn with_roots(given: &[f64]) -> Vec<f64> {
         given.iter().fold(vec![1.0], |p, r| {
             let mut q = vec![0.0; p.len() + 1];
@@ -221,7 +220,6 @@ mod tests {
 
     #[test]
     fn the_ends_of_the_step() {
-        // u (u − 1): the root at the beginning is not counted, that at the end is.
         let found = roots(&[0.0, -1.0, 1.0], 1.0).unwrap();
         assert_eq!(
             found,
@@ -237,7 +235,6 @@ mod tests {
 
     #[test]
     fn a_long_series() {
-        // sin over (0, 3.5]: one root, at π.
         let mut sine = [0.0; 40];
         let mut term = 1.0;
         for k in 1..40 {

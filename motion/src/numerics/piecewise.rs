@@ -1,10 +1,9 @@
 //! A function of period 2π, known only point by point, as a chain of short polynomials.
 //!
-//! [`Piecewise::fit`] cuts the period at the given jumps and kinks, halves every part until a Chebyshev
-//! interpolant of low degree meets the function to rounding, and cuts once more where the slope changes
-//! sign. On every piece the function is therefore smooth and monotone, and its antiderivative is exact.
-//! Each polynomial is kept in powers of the distance from the left end of its piece, so that integrals
-//! over short distances keep their relative accuracy.
+//! [`Piecewise::fit`] cuts the period at the given jumps and kinks, halves every part until a Chebyshev interpolant of low degree
+//! meets the function to rounding, and cuts once more where the slope changes sign: every piece is monotone, and its
+//! antiderivative exact. Polynomials are in powers of the distance from the left end of their piece, so that integrals over short
+//! distances keep their relative accuracy.
 
 mod chebyshev;
 mod piece;
@@ -133,7 +132,7 @@ impl Piecewise {
         })
     }
 
-    /// The pieces, in order, from 0 to 2π.
+    /// The pieces, from 0 to 2π.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
@@ -175,7 +174,7 @@ impl Piecewise {
     }
 }
 
-/// Sorted edges of the parts on which the function is smooth, from 0 to 2π.
+/// Of the parts on which the function is smooth, from 0 to 2π.
 fn edges(breaks: &[f64]) -> Result<Vec<f64>, PiecewiseError> {
     if let Some(&value) = breaks.iter().find(|b| !b.is_finite()) {
         return Err(PiecewiseError::Break { value });
@@ -231,7 +230,7 @@ fn refine(
     Ok(())
 }
 
-/// Where the slope of the fit changes sign, well inside its interval.
+/// Well inside its interval.
 fn extrema(fit: &Fit) -> Vec<f64> {
     let length = fit.end - fit.start;
     let unit = fit.coefficients.iter().scan(1.0, |power, c| {

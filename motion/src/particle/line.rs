@@ -38,7 +38,7 @@ const HELD: f64 = 4.0 * f64::EPSILON;
 /// A part of a velocity across the line that is rounding.
 const ACROSS: f64 = 1e-14;
 
-/// The way in which a block sets out, and its acceleration at first.
+/// The way, and the acceleration at first.
 type Release = (f64, f64);
 
 impl Line {
@@ -111,22 +111,19 @@ impl Line {
         Ok(self.along.map(|c| c / length))
     }
 
-    /// What of a vector lies along the line.
     fn part(&self, vector: [f64; 2]) -> f64 {
         self.along[0] * vector[0] + self.along[1] * vector[1]
     }
 
-    /// The pull of the plane along the line.
     fn pull(&self, a: &[Coefficients; 2]) -> Coefficients {
         std::array::from_fn(|k| -self.part([a[0][k], a[1][k]]))
     }
 
-    /// Friction for one of the two ways.
     fn friction(&self, way: f64) -> Friction {
         if way > 0.0 { self.plus } else { self.minus }
     }
 
-    /// Rests until the pull outgrows friction in a direction; nothing if it does not before the end.
+    /// Until the pull outgrows friction in a direction; nothing if it does not before the end.
     fn hold(&self, run: &mut Run<'_>) -> Result<Option<Release>, MotionError> {
         while run.state.t < run.until {
             let local = run.local()?;
@@ -175,7 +172,7 @@ impl Line {
         Ok(None)
     }
 
-    /// Slides for as long as a series serves, or until the velocity is zero: then true.
+    /// Until the velocity is zero: then true; or for as long as a series serves.
     fn glide(&self, run: &mut Run<'_>, release: Option<Release>) -> Result<bool, MotionError> {
         let local = run.local()?;
         let stiffness = self.frequency * self.frequency;
@@ -294,7 +291,7 @@ mod tests {
         }
     }
 
-    /// In short steps, each with the friction that brings closest to rest, and no more than there is.
+    /// Each with the friction that brings closest to rest, and no more than there is.
     #[test]
     fn a_record_moves_it_as_short_steps_do() {
         let uneven = line([1.0, 0.0], 1.8, 2.3);

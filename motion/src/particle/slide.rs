@@ -29,14 +29,13 @@ struct Sliding {
     slowness: f64,
 }
 
-/// Series in s that a step needs besides the state.
+/// What a step needs besides the state.
 #[derive(Default)]
 struct Work {
     speed_squared: Coefficients,
     speed: Coefficients,
     /// |v| minus the absolute value of its larger component.
     excess: Coefficients,
-    /// A/g.
     a: [Coefficients; 2],
     /// Powers of t − t₀; `powers[j]` begins with order j.
     powers: Vec<Coefficients>,
@@ -146,7 +145,7 @@ impl Run<'_> {
         };
         let State { t, v, x } = self.state;
         let mut fastest = self.state.speed();
-        // t, x and v go on with the integrator's carries through the whole slide.
+        // t, x and v keep the integrator's carries through the whole slide.
         let (mut carry, mut work) = ([0.0; 5], Work::default());
         let mut start = [v[0], v[1], t, x[0], x[1]];
         drop_negligible(&mut start, &mut carry);
@@ -179,7 +178,7 @@ impl Run<'_> {
             let mut integrator = Integrator::resume(&sliding, start, (carry, work), Control::Each);
             let mut step = Box::new(Step::empty());
             integrator.expand(&mut step)?;
-            // In no case further than a constant speed would take it four times.
+            // No further than a constant speed would take it four times.
             step.h = step.h.min(4.0 * local.left * unit / speed);
             let mut landing = None;
             if step.elapsed() >= local.left {
@@ -209,7 +208,7 @@ impl Run<'_> {
         Ok(false)
     }
 
-    /// Whether the particle is as good as at rest; then it is brought to rest.
+    /// As good as at rest: then it is brought to rest.
     fn stops(&mut self, fastest: f64) -> bool {
         let State { t, v, x } = self.state;
         let speed = self.state.speed();
@@ -262,7 +261,6 @@ impl Run<'_> {
 }
 
 impl Sliding {
-    /// Takes the acceleration about the beginning of a step, in units of `unit`.
     fn prepare(&mut self, a: &[Coefficients; 2], friction: f64, unit: f64) {
         // A power of two: its inverse is exact.
         self.slowness = 1.0 / unit;
@@ -284,7 +282,6 @@ fn unit(size: f64) -> f64 {
     libm::exp2(libm::floor(libm::log2(size)))
 }
 
-/// Sets a velocity component to zero that is negligible beside the other.
 fn drop_negligible(state: &mut [f64; 5], carry: &mut [f64; 5]) {
     let (x, y) = (state[0].abs(), state[1].abs());
     if x < NEGLIGIBLE * y {

@@ -15,7 +15,6 @@ fn near(found: f64, expected: f64, relative: f64) {
     );
 }
 
-/// The motion of a particle with this velocity at t = 0.
 fn go(plane: &dyn Acceleration, friction: f64, v: [f64; 2], until: f64) -> Motion {
     run(plane, friction, State::moving(v), until).unwrap()
 }
@@ -54,7 +53,6 @@ fn one_dimension_by_hand() {
     // With the pull at λ = 1: goes on for ever at the same speed.
     let motion = go(&plane, 1.0, [3.0, 0.0], 1e9);
     assert_eq!((motion.first_stop(), motion.end().v), (None, [3.0, 0.0]));
-    // λ = 1 ± 10⁻⁹: T = v/(λ − 1), or faster and faster.
     let slow = (1.0 + 1e-9) - 1.0;
     let motion = go(&plane, 1.0 + 1e-9, [3.0, 0.0], 1e10);
     near(motion.first_stop().unwrap(), 3.0 / slow, 1e-13);
@@ -116,7 +114,6 @@ fn scaled_by_powers_of_two_bit_for_bit() {
     .unwrap();
     assert_eq!(2.0 * one.first_stop().unwrap(), two.first_stop().unwrap());
     assert_eq!(4.0 * one.end().x[1], two.end().x[1]);
-    // Eight times the accelerations, twice the speed.
     let two = run_to_stop(
         &Plane::constant([8.0 * 0.3, 8.0 * -0.8]),
         8.0 * 1.1,
@@ -174,7 +171,6 @@ fn jumps_are_met_exactly() {
     near(motion.at(2.0).unwrap().v[0], 0.3, 1e-14);
     near(motion.stops()[1], 2.24, 1e-14);
     assert_eq!(motion.starts().len(), 3);
-    // A pulse of length 10⁻³ in the middle of a rest, then friction only.
     let pulse = Plane::along(
         [0.0, -1e3],
         Signal::Pulse {
@@ -185,7 +181,6 @@ fn jumps_are_met_exactly() {
     let motion = go(&pulse, 1.0, [0.0; 2], 100.0);
     assert_eq!(motion.starts(), [5.0]);
     near(motion.stops()[0], 5.001 + 0.999, 1e-13);
-    // A far narrow Gaussian is not stepped over.
     let bump = Plane::along(
         [0.0, -1.0],
         Signal::Gaussian {
@@ -280,8 +275,8 @@ proptest! {
     }
 }
 
-/// Where |A| exceeds the friction 1 by e − c t² a slip lasts from −√(e/c) to 2√(e/c) and goes 9e²/(4c), by the integrals of that,
-/// but for parts of the order of e: however small e is, and in few steps.
+/// Where |A| exceeds the friction 1 by e − c t², a slip lasts from −√(e/c) to 2√(e/c) and goes 9e²/(4c), but for parts of the
+/// order of e.
 #[test]
 fn a_slip_takes_as_many_steps_however_slow_it_is() {
     for (k, turning) in [(2, 0.2), (3, -0.2), (4, 0.5), (6, 0.2), (8, 0.1)] {
@@ -305,8 +300,8 @@ fn a_slip_takes_as_many_steps_however_slow_it_is() {
     }
 }
 
-/// A step of time with the friction that brings closest to rest, and no more than it has; halved until the difference tells how
-/// far it is from the motion. At rest more may hold.
+/// Short steps, each with the friction that brings closest to rest and no more than it has, halved until the difference tells how
+/// far they are from the motion.
 #[test]
 fn a_noisy_record_moves_a_block_as_short_steps_do() {
     for seed in 0..4 {
@@ -351,7 +346,7 @@ fn a_noisy_record_moves_a_block_as_short_steps_do() {
     }
 }
 
-/// Each piece of a motion begins where the last one ended, and every series in t, of a departure or a creep, obeys Newton's law.
+/// Also of a departure or a creep.
 #[test]
 fn pieces_join_and_series_in_time_obey_the_law() {
     let mut creeps = 0;
@@ -393,7 +388,7 @@ fn pieces_join_and_series_in_time_obey_the_law() {
     assert!(creeps > 20, "{creeps}");
 }
 
-/// A minute at 500 Hz is no matter of luck, and takes a few steps a row.
+/// A few steps a row, whatever the luck.
 #[test]
 fn a_long_record_is_run_through() {
     for seed in 20..23 {
@@ -407,7 +402,6 @@ fn a_long_record_is_run_through() {
 
 #[test]
 fn a_line_is_a_line_in_any_direction() {
-    // Stick and slip along a line: turned by any angle, the motion is the same, and none of it across.
     let drive = |angle: f64| {
         let size = 1.757235;
         let direction = [size * libm::cos(angle), size * libm::sin(angle)];
@@ -437,11 +431,9 @@ fn phases_end_where_the_particle_stands_still_and_only_there() {
         let phases = motion.phases().iter();
         phases.map(|p| (p.kind, p.from, p.to)).collect()
     };
-    // On a pull that turns it slides for ever: the first moments and many steps are one phase.
     let turning = Plane::rotating(Signal::constant(2.0), 1.0, 0.0);
     let motion = go(&turning, 0.5, [0.0; 2], 40.0);
     assert_eq!(list(&motion), [(PhaseKind::Slide, 0.0, 40.0)]);
-    // Released at t = 2 by a pull that grows, as above.
     let ramp = Plane {
         x: Signal::constant(0.0),
         y: Signal::Polynomial(vec![0.0, -0.5]),
@@ -472,7 +464,7 @@ fn phases_end_where_the_particle_stands_still_and_only_there() {
 }
 
 /// μg = 1 and μ_s g = 3/2. A pull t/2 lets go at 3, with a force of 1/2: v = (t² − 9)/4 − (t − 3). A pull 6/5 holds what has
-/// stopped, and does not if it has to be 11/10; one in another direction and one that jumps to 8/5 do as that.
+/// stopped, and does not if it has to be 11/10.
 #[test]
 fn what_rests_is_held_by_more_than_what_slides_is_braked() {
     let friction = |holding| Friction {
@@ -532,7 +524,7 @@ fn a_velocity_across_that_is_next_to_nothing_is_nothing() {
     }
 }
 
-/// At rest on the threshold: a pull that grows ever so slowly sets the particle in motion, one that falls does not.
+/// A pull that grows ever so slowly sets it in motion, one that falls does not.
 #[test]
 fn the_slowest_growth_releases() {
     for rate in [1e-9, 1e-12] {
@@ -544,7 +536,7 @@ fn the_slowest_growth_releases() {
     }
 }
 
-/// A pull from the threshold that turns ever so slowly turns the velocity in proportion.
+/// In proportion.
 #[test]
 fn the_slowest_turning_shows() {
     let across = |rate: f64| {

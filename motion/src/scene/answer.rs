@@ -119,7 +119,7 @@ impl Scene {
         })
     }
 
-    /// A number of the end by its name, without its error; none is NaN.
+    /// None is NaN.
     pub(super) fn number(&self, until: Until, name: &str) -> Result<f64, SceneError> {
         let end = self.run(until)?.end()?.numbers();
         let number = end.iter().find(|number| number.name == name);

@@ -6,7 +6,7 @@ use crate::{MotionError, numerics::roots::root};
 /// In how many steps a range is looked through.
 pub const STEPS: u32 = 400;
 
-/// How far aside the slope at a solution is looked at, as a part of the range.
+/// As a part of the range.
 const NEAR: f64 = 1e-6;
 
 /// Where a number is what it is to be, and where it jumps over that.

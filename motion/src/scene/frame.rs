@@ -84,7 +84,7 @@ impl Part {
         Ok(Self(Kind::Pull { along, pieces }))
     }
 
-    /// Whether a piece of it is an expression of the time.
+    /// Whether it has an expression of the time.
     pub(super) fn varies(&self) -> bool {
         match &self.0 {
             Kind::Pull { pieces, .. } => pieces.iter().any(|piece| piece.formula.fixed().is_none()),
@@ -120,7 +120,7 @@ impl Part {
         }
     }
 
-    /// Its spans up to a time; a function has no pulse shorter than `width`.
+    /// Up to a time; a function has no pulse shorter than `width`.
     fn spans(
         &self,
         [from, to]: [f64; 2],
@@ -177,11 +177,10 @@ impl Part {
     }
 }
 
-/// A stretch of time with one formula.
 struct Span {
     from: f64,
     until: f64,
-    /// The direction of its first component in the plane.
+    /// Of its first component in the plane.
     along: [f64; 2],
     what: What,
 }
@@ -191,7 +190,7 @@ enum What {
     Fitted(Fitted),
 }
 
-/// Floors that have been made already, by the time up to which they go.
+/// By the time up to which they go.
 #[derive(Default)]
 pub(super) struct Floors(RefCell<Vec<(f64, Rc<Floor>)>>);
 
@@ -214,14 +213,13 @@ impl Floors {
     }
 }
 
-/// The sum of all parts, as an acceleration of the floor.
 pub(super) struct Floor {
     spans: Vec<Span>,
     times: [f64; 2],
 }
 
 impl Floor {
-    /// That of these parts for these times, and a steady pull beside.
+    /// For these times; and a steady pull beside.
     pub(super) fn new(
         parts: &[Part],
         pull: [f64; 2],
@@ -243,7 +241,7 @@ impl Floor {
         })
     }
 
-    /// The times at which all of these parts are known.
+    /// At which all of these are known.
     pub(super) fn known(parts: &[Part]) -> [f64; 2] {
         let mut known = [f64::NEG_INFINITY, f64::INFINITY];
         for part in parts {
@@ -255,7 +253,7 @@ impl Floor {
         known
     }
 
-    /// The pull on what lies there, if it is one for all times from `t` on.
+    /// If it is one for all times from `t` on.
     pub(super) fn steady(&self, t: f64) -> Option<[f64; 2]> {
         let [mut x, mut y] = [0.0; 2];
         for span in self.spans.iter().filter(|span| span.until > t) {

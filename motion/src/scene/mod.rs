@@ -127,7 +127,6 @@ pub enum Units {
 }
 
 impl Units {
-    /// The name of what is called so in SI.
     fn name(self, si: &'static str) -> &'static str {
         let [length, time, speed, turning, heat] = match self {
             Self::Si => return si,
@@ -207,7 +206,6 @@ impl Scene {
         self.mu * self.normal()
     }
 
-    /// The pressure of the floor on each kilogram, in m/s².
     fn normal(&self) -> f64 {
         self.g.0 * libm::cos(self.tilt[0].0)
     }
@@ -221,7 +219,6 @@ impl Scene {
         })
     }
 
-    /// The pull down the tilted floor.
     fn slope(&self) -> [f64; 2] {
         let [tilt, down] = self.tilt;
         unit_vector(down.0).map(|c| c * self.g.0 * libm::sin(tilt.0))
@@ -307,7 +304,6 @@ impl SceneError {
     }
 }
 
-/// Requires that a number is fit.
 fn check(name: &'static str, value: f64, fit: bool, range: &'static str) -> Result<(), SceneError> {
     fit.then_some(())
         .ok_or_else(|| SceneError::given(name, value, range))

@@ -69,7 +69,7 @@ enum Followed {
     Table(Path),
 }
 
-/// The least friction of a ball, which is none.
+/// Of a ball that has none.
 const LEAST: f64 = 1e-50;
 /// Each time as much longer is looked for an end that does not come.
 const LONGER: f64 = 4.0;
@@ -131,11 +131,10 @@ pub(super) fn moved(scene: &Scene, until: Until, floors: &Floors) -> Result<Move
     }
 }
 
-/// A scene with its numbers checked, in SI.
 struct Made<'a> {
     scene: &'a Scene,
     floors: &'a Floors,
-    /// Begin, and the end of what is recorded.
+    /// And the end of what is recorded.
     from: f64,
     known: f64,
     place: [f64; 2],
@@ -223,7 +222,7 @@ impl<'a> Made<'a> {
         })
     }
 
-    /// Why no stop comes after this motion, where that is certain.
+    /// Where that is certain.
     fn endless(&self, until: Until, moved: &Moved) -> Result<Option<&'static str>, SceneError> {
         if !matches!(until, Until::Stop | Until::Rest) {
             return Ok(None);
@@ -278,7 +277,6 @@ impl<'a> Made<'a> {
         })
     }
 
-    /// The motion up to the time `to`.
     fn follow(&self, to: f64) -> Result<Moved, SceneError> {
         check("until", to, to >= self.from, "not before the start")?;
         let state = State {
@@ -354,7 +352,7 @@ impl<'a> Made<'a> {
         }
     }
 
-    /// The largest pull that friction holds, of one along `x`.
+    /// Of a pull along `x`.
     fn held(&self, x: f64) -> f64 {
         let Scene { mu, back, .. } = *self.scene;
         let mu = back.filter(|_| x < 0.0).unwrap_or(mu);
@@ -397,7 +395,7 @@ impl Moved {
         self.moment(t, &self.tracks()?)
     }
 
-    /// The path and, of a ball, what its lowest point has slid.
+    /// And, of a ball, what its lowest point has slid.
     fn tracks(&self) -> Result<(Track<'_>, Option<Track<'_>>), SceneError> {
         Ok(match &self.followed {
             Followed::Block(motion) | Followed::Line(_, motion) => (motion.track()?, None),
@@ -477,12 +475,11 @@ impl Moved {
         [velocity, place, rough * place, part]
     }
 
-    /// The same motion up to this time.
     fn ended(self, to: f64) -> Self {
         Self { to, ..self }
     }
 
-    /// When the end that is asked for has come, if it has.
+    /// If it has.
     fn reached(&self, until: Until, made: &Made) -> Result<Option<f64>, SceneError> {
         // What never moves has stopped as it starts.
         if until == Until::Stop && made.at_rest(self)? == Some(self.from) {

@@ -25,10 +25,9 @@ const NEGLIGIBLE: f64 = 1e-90;
 /// The force needed for rolling and μ_s mg count as equal to this relative precision of their squares.
 const EQUAL: f64 = 1e-13;
 
-/// A motion in the making.
 struct Run<'a> {
     sphere: &'a Sphere,
-    /// The same with μ_s for μ.
+    /// With μ_s for μ.
     rough: Sphere,
     plane: &'a dyn Acceleration,
     until: f64,
@@ -38,12 +37,11 @@ struct Run<'a> {
     pieces: Vec<Piece>,
     transitions: Vec<Transition>,
     begin: Option<Contact>,
-    /// Whether rolling has just ended as the pull outgrew friction: what the rounding of the time makes of that is nothing.
+    /// Rolling has just ended as the pull outgrew friction: what the rounding of the time makes of that is nothing.
     released: bool,
 }
 
-/// The acceleration about the present time, how long its series serves, and the time at which that is over if a
-/// break or the end of the motion ends it.
+/// And how long its series serves.
 struct Local {
     a: [Coefficients; 2],
     left: f64,
@@ -144,7 +142,7 @@ impl Run<'_> {
         libm::hypot(self.parts[7], self.parts[8])
     }
 
-    /// Notes what the motion is from now on. Sliding that goes on after its first moments is noted once.
+    /// Sliding that goes on after its first moments is noted once.
     fn enter(&mut self, contact: Contact) {
         match (self.begin, self.transitions.last()) {
             (None, _) => self.begin = Some(contact),
@@ -186,7 +184,6 @@ impl Run<'_> {
         })
     }
 
-    /// Slides until the contact velocity is zero or the motion ends.
     fn slide(&mut self) -> Result<(), MotionError> {
         let mut fastest = 0f64;
         let mut carried = ([0.0; 10], Work::default());
@@ -300,7 +297,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// A piece over the time `h`, if that is left, with a contact velocity known by its series.
+    /// If that is left, with a contact velocity known by its series.
     fn slip_by(&mut self, local: &Local, c: &[Coefficients; 2], h: f64) {
         let give = self.sphere.yielding(1.0);
         // The force that the plane must exert for c to change as it does.

@@ -1,9 +1,6 @@
-//! Many particles on the table at once: each is followed until it rests, until it is far out, or until its time is up.
-//!
-//! The law of motion is that of [`intrinsic`](super::intrinsic), the certainty of a rest that of
-//! [`fate`](super::fate()). What is new is only how the work is laid out: eight particles share a vector register, and
-//! a particle that has come to its end makes room for the next at once. One that comes so close to the border of rest and
-//! escape that these steps are too rough is followed once more, alone and more closely.
+//! Many particles on the table at once: each is followed until it rests, is far out, or its time is up. Eight share a vector
+//! register, and one that has ended makes room for the next. One that comes so close to the border of rest and escape that these
+//! steps are too rough is followed once more, alone and more closely.
 
 use super::{
     fate::{self, Speeds, judge},
@@ -32,7 +29,6 @@ pub struct Horizon {
     pub tau: f64,
 }
 
-/// The slow equations of particles that are followed alone, in both kinds of numbers.
 static NARROW: LazyLock<Slow<f64>> = LazyLock::new(Slow::new);
 static WIDE: LazyLock<Slow<Double>> = LazyLock::new(Slow::new);
 
@@ -70,7 +66,7 @@ pub const STEPS: u32 = 5000;
 const TERMS: usize = 20;
 const TOLERANCE: f64 = -40.0;
 
-/// Terms of the series of a particle that is followed alone, in both kinds of numbers.
+/// Of the series of a particle that is followed alone, in both kinds of numbers.
 const CLOSELY: usize = 24;
 const EXACTLY: usize = 44;
 
@@ -167,31 +163,26 @@ impl Horizon {
     }
 }
 
-/// Whether a start can be followed, before it is done.
 fn moves(start: &Start) -> Result<(), MotionError> {
     check(start)?;
     let moves = start.p > 0.0 || start.rho() <= 1.0;
     super::argument("p", start.p, moves, "positive where rho > 1")
 }
 
-/// How far a way went.
 #[derive(Clone, Copy)]
 struct Extremes {
     /// How close it came to p = w = 0.
     brink: f64,
-    /// The greatest speed.
     most: f64,
 }
 
-/// What ends a particle's way.
 trait Watch {
-    /// How it ends.
     type End: Clone;
 
     /// Whether a motion may have come to its end, for the states after a step.
     fn over<const L: usize>(&self, states: &[Lanes<L>; 4]) -> [bool; L];
 
-    /// The end of a motion's way, if it lies in the step `h` long with this series and this state at its end.
+    /// If it lies in the step `h` long with this series and this state at its end.
     fn end(
         &self,
         series: impl FnOnce() -> [[f64; TERMS]; 4],
@@ -200,16 +191,13 @@ trait Watch {
         extremes: Extremes,
     ) -> Option<Self::End>;
 
-    /// The end of a motion from `start` that the steps of many do not find, or not well.
+    /// An end that the steps of many do not find, or not well.
     fn alone(&self, start: &Start) -> Self::End;
 
-    /// Whether this motion is one for the steps of many.
     fn is_for_many(&self, start: &Start) -> bool;
 
-    /// Whether an end is not known well enough.
     fn is_rough(end: &Self::End, extremes: Extremes) -> bool;
 
-    /// The ends of some particles' ways, on one core.
     fn piece(&self, starts: &[Start]) -> Vec<Self::End>
     where
         Self: Sized,
@@ -339,9 +327,8 @@ impl Watch for Horizon {
 }
 
 impl Horizon {
-    /// The end of a motion's way beyond the horizon, if it lies in this step.
-    ///
-    /// What was `lost` on the way is by so much more, `amplified`, where the way came close to the border of rest.
+    /// Beyond the horizon, if it lies in this step. What was `lost` on the way is by so much more, `amplified`, where the way
+    /// came close to the border of rest.
     fn ended<const N: usize>(
         &self,
         series: impl FnOnce() -> [[f64; N]; 4],
@@ -391,12 +378,11 @@ impl Horizon {
         })
     }
 
-    /// Whether it starts moving at the horizon's distance or beyond.
     fn is_beyond(&self, start: &Start) -> bool {
         start.p > 0.0 && start.rho() >= self.rho
     }
 
-    /// The end of a particle's way, by shorter steps and by the slow equations; nothing where rounding decides.
+    /// By shorter steps and by the slow equations; nothing where rounding decides.
     fn closely<T: Width, const N: usize>(&self, start: Exact<T>, slow: &Slow<T>) -> Option<End> {
         let zero = T::from_f64(0.0);
         let mut state = [zero, start.p, start.deficit, start.zeta];
@@ -465,8 +451,7 @@ impl Horizon {
     }
 }
 
-/// The end of one of many motions, of this greatest speed, that is certain to come to rest, if its place is known well
-/// enough.
+/// Of one of many motions with this greatest speed, if it is certain to rest and its place is known well enough.
 fn settled(state: &[f64; 4], most: f64) -> Option<End> {
     let Last {
         time,
@@ -504,7 +489,7 @@ fn settled(state: &[f64; 4], most: f64) -> Option<End> {
     })
 }
 
-/// The end of a motion that is followed alone, if it is certain to come to rest and all is known that can be.
+/// Of a motion that is followed alone, if it is certain to rest and all is known that can be.
 fn ends_closely<T: Width>(state: &[T; 4], speeds: Speeds) -> Option<End> {
     let (fate::Certain::Rest(rest), true) = judge(state)? else {
         return None;
@@ -554,7 +539,6 @@ fn last_moments(&[_, p, w, zeta]: &[f64; 4]) -> Last {
 struct Certain;
 
 impl Watch for Certain {
-    /// Whether it comes to rest; nothing where rounding decides.
     type End = Option<bool>;
 
     #[inline(always)]
@@ -596,7 +580,7 @@ pub fn rests(starts: &[Start]) -> Result<Vec<Option<bool>>, MotionError> {
     Ok(Certain.piece(starts))
 }
 
-/// Where a function that is positive at `h` was zero before, by Newton's rule from its value and slope.
+/// A zero before `h`, where the function is positive, by Newton's rule from its value and slope.
 fn crossing(mut h: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
     for _ in 0..20 {
         let (value, slope) = function(h);
@@ -628,7 +612,6 @@ mod tests {
         tau: 50.0,
     };
 
-    /// Starts at ρ = 0.5 in all directions with speeds up to 2: some rest, some do not.
     fn starts() -> Vec<Start> {
         let one = |k: usize| {
             let (speed, angle) = (0.02 * (k % 100) as f64 + 0.01, 2.399963 * k as f64);
@@ -769,7 +752,6 @@ mod tests {
             p: f64::NAN,
             ..still
         };
-        // A start that is refused changes no other's end.
         for bad in [loose, broken] {
             let refused = |end: &_| matches!(end, Err(MotionError::Argument { name: "p", .. }));
             for follow in [Horizon::follow, Horizon::follow_alone] {
@@ -891,7 +873,6 @@ mod tests {
             assert!((place - sigma).abs() <= sigma_error && sigma_error < 1e-10);
             assert!((time - tau).abs() <= tau_error && (time - tau).abs() < 1e-8);
         }
-        // Too fast to rest there: it hovers, and goes.
         let [Ok(End::Far { tau, tau_error })] =
             HORIZON.follow(&[place(0.9999, 1.1e-4, 0.0)]).unwrap()[..]
         else {
@@ -917,7 +898,7 @@ mod tests {
         assert!((there.p - exact.p).abs() < 1e-10 && (there.zeta - exact.zeta).abs() < 1e-10);
     }
 
-    /// Just inside the horizon and nearly along it, where the rounding of the place makes most of the time.
+    /// Just inside the horizon and nearly along it: the rounding of the place makes most of the time.
     #[test]
     fn the_time_of_a_crossing_is_known_as_closely_as_the_place_is() {
         let horizon = Horizon {

@@ -204,8 +204,7 @@ impl<T: Width> Ending<T> {
     }
 }
 
-/// Follows a motion, by series of `N` terms, until its fate is certain, and a rest until its place and time are `closely`
-/// known.
+/// By series of `N` terms, until the fate is certain, and place and time of a rest are `closely` known.
 pub fn follow<T: Width, const N: usize>(
     start: &Exact<T>,
     closely: bool,
@@ -263,7 +262,7 @@ fn follow_slowly<T: Width, const N: usize>(
     }
 }
 
-/// The fate, if the state makes it certain, and whether place and time of a rest are known as well as wanted.
+/// The fate, if certain, and whether place and time of a rest are known as well as wanted.
 pub fn judge<T: Width>(&[tau, p, w, zeta]: &[T; 4]) -> Option<(Certain<T>, bool)> {
     let [zero, half, one, two] = [0.0, 0.5, 1.0, 2.0].map(T::from_f64);
     let (xi, eta) = (one - w, p - zeta);
@@ -376,7 +375,6 @@ mod tests {
             assert!((tau - time).abs() < 4e-15, "{tau} {time}");
             let half = (most - least) / (rho + sigma);
             assert!((error - half).abs() < 1e-15, "{error} {half}");
-            // And the resting place is within the bounds.
             let Fate::Rest { sigma: exact, .. } = fate(&Start { p, xi, zeta }).unwrap() else {
                 panic!("{xi} {zeta}")
             };
@@ -412,7 +410,6 @@ mod tests {
             _ => None,
         };
         assert_eq!(because([0.0, 0.3, 0.2, -0.3]), Some(Escaping::Ahead));
-        // Not yet ahead: ζ > −p, or slower than w.
         assert_eq!(because([0.0, 0.3, 0.2, -0.29]), None);
         assert_eq!(because([0.0, 0.19, 0.2, -0.3]), None);
         assert_eq!(because([0.0, 0.3, 0.0, -0.3]), Some(Escaping::Outward));

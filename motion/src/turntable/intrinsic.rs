@@ -42,7 +42,6 @@ pub struct Start {
 /// Lengths and speeds of a start must not exceed this number: high powers of them have to be numbers.
 pub const LARGEST: f64 = 1e9;
 
-/// A length or speed in its range.
 fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
     let allowed = (0.0..=LARGEST).contains(&value);
     argument(name, value, allowed, "between 0 and 1e9")
@@ -170,7 +169,6 @@ impl<T: Real> From<&Start> for Exact<T> {
 }
 
 impl<T> Exact<T> {
-    /// The same in other numbers.
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Exact<U> {
         let [p, deficit, zeta] = [self.p, self.deficit, self.zeta].map(f);
         Exact { p, deficit, zeta }
@@ -382,7 +380,6 @@ impl Run {
     }
 }
 
-/// Checks a start that may have been put together by hand.
 pub(super) fn check(start: &Start) -> Result<(), MotionError> {
     size("p", start.p)?;
     for (name, value) in [("xi", start.xi), ("zeta", start.zeta)] {

@@ -1,13 +1,12 @@
 //! A particle on a rough turntable that turns at a steady rate about a vertical axis (section 4 of the paper).
 //!
-//! Newton's law with Coulomb friction, three times over: in axes that turn with the table ([`rotating`]), in axes
-//! at rest in the laboratory ([`inertial`]), and in components along and across the velocity ([`intrinsic`]). The
-//! last are regular where the particle comes to rest, so that they tell quickly and reliably whether it does
-//! ([`mod@fate`]), where the boundary lies ([`mod@boundary`]), and what an escape is like much later. Where friction
-//! hardly outweighs the pull, the last approach to rest has equations of its own (`slow`).
+//! Newton's law with Coulomb friction, three times over: in axes that turn with the table ([`rotating`]), in axes at rest in the
+//! laboratory ([`inertial`]), and in components along and across the velocity ([`intrinsic`]), which are regular where the
+//! particle comes to rest, and tell whether it does ([`mod@fate`]) and where the boundary lies ([`mod@boundary`]). The last
+//! approach to rest, where friction hardly outweighs the pull, has equations of its own (`slow`).
 //!
-//! Before all three stands the law of static friction: a particle at rest on the table at the distance r from the
-//! axis stays there if Ω²r ≤ μg. If Ω²r > μg it starts at once, straight away from the axis.
+//! A particle at rest on the table at the distance r from the axis stays there if Ω²r ≤ μg. If Ω²r > μg it starts at once,
+//! straight away from the axis.
 
 pub mod boundary;
 pub mod ensemble;
@@ -57,7 +56,7 @@ impl Default for Table {
     }
 }
 
-/// `vector` turned counterclockwise by the given angle.
+/// Counterclockwise.
 fn turned(vector: [f64; 2], angle: f64) -> [f64; 2] {
     let (s, c) = libm::sincos(angle);
     [c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]]
@@ -129,13 +128,11 @@ impl Table {
 /// Largest size of what is given: products of several are still numbers.
 const LARGEST: f64 = 1e50;
 
-/// A number of either sign in its range.
 fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
     let range = "finite, at most 1e50 in absolute value";
     argument(name, value, value.abs() <= LARGEST, range)
 }
 
-/// Checks a start and the time up to which it is to be followed.
 fn check_start(start: &State, until: f64) -> Result<(), MotionError> {
     let parts = [
         ("t", start.t),

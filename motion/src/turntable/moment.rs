@@ -1,6 +1,4 @@
 //! The state at a time, in numbers of any width and as close to rest as they can say.
-//!
-//! The equations are those of [`intrinsic`](super::intrinsic), near rest at ρ = 1 slower ones.
 
 use super::{
     intrinsic::{Exact, Tracked},
@@ -28,7 +26,6 @@ pub struct Moment<T> {
 }
 
 impl<T> Moment<T> {
-    /// The same in other numbers.
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Moment<U> {
         let [p, xi, eta, turned] = [self.p, self.xi, self.eta, self.turned].map(f);
         Moment {
@@ -122,7 +119,7 @@ pub fn moment<T: Width, const N: usize>(
     }
 }
 
-/// A particle at rest, in the direction of whose velocity friction outweighs the pull by `w`.
+/// Friction outweighs the pull by `w` in the direction of its velocity.
 fn still<T: Width>(w: T) -> Moment<T> {
     let [zero, one] = [0.0, 1.0].map(T::from_f64);
     Moment {
@@ -134,7 +131,7 @@ fn still<T: Width>(w: T) -> Moment<T> {
     }
 }
 
-/// Where a stretch of the motion ended: where its equations do, at the time wanted, or at rest.
+/// Where its equations end, at the time wanted, or at rest.
 enum Leg<T, const D: usize> {
     Left([T; D]),
     There([T; D]),
@@ -177,7 +174,7 @@ fn go<T: Width, S: System<T, D, N>, const D: usize, const N: usize>(
     }
 }
 
-/// The distance within a step after which its clock has gone on by `left`.
+/// Within a step: its clock has gone on by `left` there.
 fn when<T: Width, const N: usize>(clock: &[T; N], left: T, h: f64) -> T {
     let rough = clock.map(T::to_f64);
     let mut at = T::from_f64(arrival(&rough, left.to_f64(), h));
@@ -197,8 +194,7 @@ mod tests {
     use crate::numerics::{double::Double, number::Real};
     use crate::turntable::Start;
 
-    /// From rest at ρ it is driven by ρ − 1 at first: dp/dτ = ρ − 1, straight away from the axis. Before and behind the moment
-    /// from which it is followed step by step.
+    /// dp/dτ = ρ − 1 at first, straight away from the axis; before and behind the moment from which it is followed step by step.
     #[test]
     fn out_of_rest_the_speed_grows_from_the_first_moment() {
         for rho in [1.5, 3.0] {
@@ -215,7 +211,7 @@ mod tests {
         assert_eq!((still.p, still.xi), (0.0, 1.0));
     }
 
-    /// It hovers near rest at ρ = 1, by the slow equations, and goes; numbers of twice the width leave them sooner.
+    /// Near rest at ρ = 1, by the slow equations; numbers of twice the width leave them sooner.
     #[test]
     fn a_motion_that_has_hovered_goes_as_in_wider_numbers() {
         for (rho, p) in [(0.9999, 1.1e-4), (0.9995, 5.5e-4), (0.999, 1.2e-3)] {

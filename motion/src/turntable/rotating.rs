@@ -122,7 +122,6 @@ pub fn run_held(
         if t >= until {
             return Ok(path);
         }
-        // What is left of the way is below any rounding.
         state = State {
             t,
             x: [x, y],
@@ -135,8 +134,7 @@ pub fn run_held(
     }
 }
 
-/// The first moments of a particle at rest at `place`, where friction does not hold it: for how long, and the
-/// coefficients of x, y, v_x, v_y.
+/// Of a particle at rest at `place`, where friction does not hold it: for how long, and the coefficients of x, y, v_x, v_y.
 fn first_moments(
     table: &Table,
     place: [f64; 2],

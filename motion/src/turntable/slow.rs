@@ -54,7 +54,7 @@ const UNSEEN: f64 = 1e-3;
 /// The slow equations hold when ζ is what they say to so many roundings.
 const REACHED: f64 = 16.0;
 
-/// Coefficients of wⁱPʲ in G, by j and i.
+/// Of wⁱPʲ, by j and i.
 static COEFFICIENTS: LazyLock<[[i128; WEIGHT + 1]; POWERS]> = LazyLock::new(|| {
     let mut g = [[0; WEIGHT + 1]; POWERS];
     let mut square = g;
@@ -90,7 +90,7 @@ static COEFFICIENTS: LazyLock<[[i128; WEIGHT + 1]; POWERS]> = LazyLock::new(|| {
 /// the beginning of a step, so that no coefficient leaves the range of the numbers.
 pub(super) struct Slow<T> {
     coefficients: Vec<Vec<T>>,
-    /// Sums of the coefficients of each weight.
+    /// Of the coefficients of each weight.
     sizes: [f64; WEIGHT + 1],
 }
 

@@ -56,7 +56,6 @@ pub const E_6: Enclosure = Enclosure(|bits| reversals_end(Edge::End, 6, 1.358, b
 /// Curve E at q = 12.
 pub const E_12: Enclosure = Enclosure(|bits| reversals_end(Edge::End, 12, 0.846, bits));
 
-/// Curve B or E at a whole q.
 fn reversals_end(edge: Edge, q: i64, near: f64, bits: usize) -> Result<Ball, CertifiedError> {
     drive::reversals_end(edge, &Ball::int(q, bits + 32), near, bits)
 }

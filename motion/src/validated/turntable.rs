@@ -50,7 +50,7 @@ pub enum Fate {
 /// Steps after which the fate is not proved.
 const STEPS: usize = 2000;
 
-/// Law of motion of p, w, ζ and of their derivatives by the start.
+/// Of p, w, ζ and of their derivatives by the start.
 struct Law;
 
 impl<const N: usize> System<Interval, 3, N> for Law {
@@ -130,7 +130,6 @@ pub fn fate_launched(u: Interval, width: f64) -> Result<Fate, CertifiedError> {
     follow([u, Interval::int(1), u], width)
 }
 
-/// Follows all motions from a box of p, w and ζ until their fate is certain.
 fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
     let mut state = start;
     let (mut rest, mut h) = (None, 1.0);
@@ -139,7 +138,7 @@ fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
         match judge(&state) {
             Some(Judged::Escape) => return Ok(Fate::Escape { steps }),
             Some(Judged::Rest(sigma)) => {
-                // Every enclosure holds: the particle comes to rest in all of them.
+                // Every enclosure holds.
                 let closer = rest.map_or(Some(sigma), |known| sigma.meet(known));
                 let sigma = closer.ok_or_else(|| unsettled(&state))?;
                 if sigma.width() <= width || rest == Some(sigma) {
@@ -168,7 +167,7 @@ enum Judged {
     Escape,
 }
 
-/// What all states of a box make certain; nothing unless p is positive.
+/// Nothing unless p is positive.
 fn judge(&[p, w, zeta]: &[Interval; 3]) -> Option<Judged> {
     if p.sign() != Some(1.0) {
         return None;
@@ -217,14 +216,12 @@ mod tests {
     #[test]
     fn what_is_not_certain_is_not_said() {
         let [alpha, psi] = [0.1, 0.2].map(Interval::point);
-        // So wide that starts on both sides of the boundary are in it.
         assert!(fate([Interval::new(0.8, 1.2), alpha, psi], 1e-6).is_err());
         assert!(fate([Interval::WHOLE, alpha, psi], 1e-6).is_err());
         // At rest from the beginning: nothing is said of p = 0.
         assert!(fate([0.5, 0.0, 0.2].map(Interval::point), 1e-6).is_err());
     }
 
-    /// The rates at a state of numbers.
     fn rates(state: [f64; 12]) -> [f64; 12] {
         let series: [[_; 1]; 12] = state.map(|x| [Interval::point(x)]);
         Law.derivative(0, &series, &mut ()).map(Interval::mid)
@@ -270,7 +267,7 @@ mod tests {
     #[test]
     fn each_sign_of_escape_is_enough() {
         let judged = |state: [f64; 3]| judge(&state.map(Interval::point));
-        // w < 0 alone; ρ² − p² > 1 alone; ζ < −p and w < p alone.
+        // Each sign alone: w < 0; ρ² − p² > 1; ζ < −p and w < p.
         for state in [[1.0, -0.1, 1.0], [0.1, 0.5, -1.0], [0.4, 0.3, -0.41]] {
             assert!(matches!(judged(state), Some(Judged::Escape)), "{state:?}");
         }

@@ -1,6 +1,6 @@
 //! Texts, and the formulas in them.
 
-/// Prose without what stands between marks and is no prose.
+/// Without what stands between marks.
 pub fn bare(text: &str) -> String {
     let lines = text
         .split_inclusive('\n')
@@ -21,7 +21,7 @@ pub fn bare(text: &str) -> String {
     text.replace("$$", "$")
 }
 
-/// The formulas of a text, each on one line.
+/// Each on one line.
 pub fn formulas_of(text: &str) -> Vec<String> {
     let formulas = text.split('$').skip(1).step_by(2);
     let flat = |formula: &str| formula.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -121,7 +121,6 @@ impl Piece {
     }
 }
 
-/// 1/(k+1).
 const RECIPROCALS: [f64; POINTS] = {
     let mut table = [0.0; POINTS];
     let mut k = 0;

@@ -31,7 +31,6 @@ pub struct Margins {
 const TERMS: usize = 10;
 const ACCURACY: f64 = 1e-7;
 
-/// Steps after which a cell's fate is not proved.
 const STEPS: usize = 400;
 
 /// A set as wide as this in a coordinate is not followed farther.
@@ -45,7 +44,6 @@ const THICK: f64 = 1.0 / 16.0;
 const HALVINGS: u32 = 12;
 const HALVINGS_OF_THIN: u32 = 9;
 
-/// A side of the line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Side {
     Below,
@@ -53,7 +51,6 @@ enum Side {
 }
 
 impl Margins {
-    /// Nothing is proved.
     pub const NONE: Margins = Margins {
         rest: 1.0,
         escape: 1.0,
@@ -134,7 +131,7 @@ impl Strip {
         }
     }
 
-    /// Whether all starts of a cell have the fate of the side, by the cell as it is or by its parts.
+    /// By the cell as it is or by its parts.
     fn all(&self, cell: [Interval; 2], side: Side, halvings: u32) -> bool {
         if self.decided(cell, side) {
             return true;
@@ -153,8 +150,7 @@ impl Strip {
             .all(|part| self.all(part, side, halvings - 1))
     }
 
-    /// Whether all starts of a cell have the fate of the side. A cell is a range of shares of the way from the line, and
-    /// one of ψ.
+    /// Of a cell: a range of shares of the way from the line, and one of ψ.
     fn decided(&self, cell: [Interval; 2], side: Side) -> bool {
         let variables = Jet::variables(&cell);
         let alpha = self.alpha(variables, side).value;
@@ -221,7 +217,6 @@ mod tests {
         }
     }
 
-    /// As near to the line as can be.
     const LINE: Margins = Margins {
         rest: 0.0,
         escape: 0.0,
@@ -283,7 +278,7 @@ mod tests {
         }
     }
 
-    /// What differs between starts of a cell is within what the slopes over the cell allow, along a line that rises, too.
+    /// Also along a line that rises.
     #[test]
     fn the_set_that_is_followed_holds_all_starts_of_its_cell() {
         let strip = Strip {
