@@ -21,7 +21,6 @@ use trialbook::trials::points::Points;
 
 type Failure = Box<dyn std::error::Error>;
 
-/// Set for a process that is to prove and end, and for one that is to be the command.
 const COLD: &str = "SLIPBOOK_BENCH_COLD";
 const COMMAND: &str = "SLIPBOOK_BENCH_COMMAND";
 

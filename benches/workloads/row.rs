@@ -17,7 +17,6 @@ pub struct Arcs {
 #[derive(Debug, Clone, Copy)]
 pub struct Column {
     pub q: f64,
-    /// K of (53), with its sine and cosine, and K/sin K.
     pub k: f64,
     pub sin: f64,
     pub cos: f64,
@@ -107,7 +106,6 @@ impl Row {
         if let Some(arcs) = without_rest(plus, column) {
             return arcs;
         }
-        // The backward slip is the forward slip under λ₋, half a period later.
         let at_once = -self.sin >= minus;
         let (start, cos) = if at_once {
             (end - PI, -self.cos)
@@ -138,7 +136,6 @@ pub fn without_rest(plus: f64, column: &Column) -> Option<Arcs> {
         return None;
     }
     let cosine = libm::sqrt((1.0 - sine) * (1.0 + sine));
-    // Where forward motion may begin, backward motion may: see there.
     let holds = sine * cos + cosine * sin < plus;
     (!holds).then(|| {
         let middle = PI - libm::asin(sine);
@@ -149,8 +146,8 @@ pub fn without_rest(plus: f64, column: &Column) -> Option<Arcs> {
     })
 }
 
-/// Where the next slip is expected to end: half a period after its start if no end is known, else on the constant, the
-/// line or the parabola through the last ends, the newest first.
+/// Half a period after its start if no end is known, else on the constant, the line or the parabola through the last ends, the
+/// newest first.
 #[inline(always)]
 pub fn expected(known: usize, [a, b, c]: [f64; 3], start: f64) -> f64 {
     match known {
@@ -192,7 +189,6 @@ pub fn slip_end(lambda: f64, start: f64, cos: f64, guess: f64) -> f64 {
     x
 }
 
-/// A step after which the next would be below rounding.
 const CLOSE: f64 = 1e-17;
 /// Steps after which every other one halves the bracket, and steps in all.
 const BRACKET: usize = 8;

@@ -24,7 +24,7 @@ pub extern "C" fn ask(number: u32, a: f64, b: f64, c: f64, d: f64) -> *const f64
     })
 }
 
-/// Where a question in words, of so many bytes, is to be written.
+/// Where a question of so many bytes is to be written.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(length: usize) -> *mut u8 {
     TEXT.with_borrow_mut(|text| {
@@ -34,7 +34,7 @@ pub extern "C" fn room(length: usize) -> *mut u8 {
     })
 }
 
-/// What `explorers::scene::told` answers to what is written there, with its length in front.
+/// What `explorers::scene::told` answers, with its length in front.
 #[unsafe(no_mangle)]
 pub extern "C" fn tell() -> *const u8 {
     TEXT.with_borrow_mut(|text| {

@@ -92,7 +92,6 @@ impl<F: Fn(f64) -> [Coefficients; 2] + Sync> Acceleration for Series<F> {
     }
 }
 
-/// An acceleration given by two signals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plane {
     /// A_x, in length/time².

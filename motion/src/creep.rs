@@ -37,8 +37,8 @@ const WIDE: f64 = 0.1;
 const SETTLED: f64 = 1e-17;
 const ROUNDS: usize = 16;
 
-/// The creep with the velocity `v` on a plane with the acceleration `a` about the present time, which serves for `left`; `limit`
-/// is L. If this motion is none, how many times q/|f| to wait before it may be one.
+/// With the velocity `v` and the acceleration `a` about the present time, which serves for `left`; `limit` is L. If this motion
+/// is none, how many times q/|f| to wait before it may be one.
 pub(super) fn creep(
     a: &[Coefficients; 2],
     limit: f64,

@@ -57,7 +57,6 @@ pub(super) fn check(
     }
 }
 
-/// What a motion has come to at the time `t`, and the time.
 pub(super) fn finite(t: f64, state: &[f64]) -> Result<(), MotionError> {
     if t.is_finite() && state.iter().all(|x| x.is_finite()) {
         Ok(())

@@ -97,7 +97,7 @@ pub struct Fitted {
     error: f64,
 }
 
-/// A polynomial in the time since `from`, which holds until the next part begins.
+/// In the time since `from`, until the next part begins.
 #[derive(Debug, Clone, PartialEq)]
 struct Part {
     from: f64,
@@ -113,7 +113,6 @@ impl Part {
     fn about(&self, t: f64) -> Coefficients {
         let s = t - self.from;
         let mut c = [0.0; TERMS];
-        // Horner's scheme for the polynomial in (s + τ).
         for a in self.powers.iter().rev() {
             for k in (1..self.powers.len().min(TERMS)).rev() {
                 c[k] = c[k] * s + c[k - 1];
@@ -124,21 +123,21 @@ impl Part {
     }
 }
 
-/// The least width, as a part of the range: the function is asked some ten times in each.
+/// As a part of the range: the function is asked some ten times in each.
 const NARROWEST: f64 = 1e-7;
-/// The shortest part that is still halved, as a part of the largest time: tens of thousands of numbers.
+/// As a part of the largest time: tens of thousands of numbers.
 const SHORTEST: f64 = 65_536.0 * f64::EPSILON;
 const MOST_PARTS: usize = 1 << 16;
-/// The fewest times at which a range without breaks is surveyed, and a part is held against its function.
+/// Times at which a range without breaks is surveyed, and a part is held against its function.
 const SURVEY: f64 = 64.0;
 const CHECKS: f64 = 4.0;
 /// Where the rounding of t·dA/dt is as large as that of A is allowed to be.
 const ROUNDING: f64 = 0.25;
-/// The most of the largest value that a fit may miss, however steep the function.
+/// As a part of the largest value, however steep the function.
 const LOOSEST: f64 = 1e-4;
-/// The fewest rows of a table: every second one has to make a spline too.
+/// Every second one has to make a spline too.
 const LEAST_ROWS: usize = 7;
-/// The largest value, whose products are still numbers.
+/// Its products are still numbers.
 const LARGEST: f64 = 1e50;
 
 impl Fitted {
@@ -149,8 +148,8 @@ impl Fitted {
     /// against it, at least once in each half of it, from break to break. A shorter pulse may lie between, unless breaks enclose
     /// it.
     ///
-    /// [`error`](Self::error) is measured at all these times. No part of the fit misses a component by more than
-    /// 4·10⁻¹⁵ (max |A| + t max |dA/dt|): its rounding, and that of t and of the phases in which t is multiplied.
+    /// [`error`](Self::error) is measured at all these times. No part misses a component by more than 4·10⁻¹⁵ (max |A| + t max
+    /// |dA/dt|): its rounding, and that of t and of the phases in which t is multiplied.
     ///
     /// Asks the function some ten times in each `width` and some hundred times for each oscillation.
     ///
@@ -211,11 +210,10 @@ impl Fitted {
         })
     }
 
-    /// From a table of times and the plane's acceleration (A_x, A_y) in length/time², by cubic splines through all of it, natural at the ends.
-    /// [`error`](Self::error) is an estimate from the table itself: the largest distance of a row that is left out from the
-    /// spline through every second one. A spline through all is better, by sixteen where the table resolves the motion;
-    /// noise of the instrument is in it as it is in the table. Noise across the drive is a drive too: a particle then hardly
-    /// ever comes to v = 0.
+    /// From a table of times and the plane's acceleration (A_x, A_y) in length/time², by cubic splines through all of it, natural
+    /// at the ends. [`error`](Self::error) is an estimate from the table itself: the largest distance of a row that is left out
+    /// from the spline through every second one. A spline through all is better, by sixteen where the table resolves the motion.
+    /// Noise across the drive is a drive too: a particle then hardly ever comes to v = 0.
     ///
     /// The work is proportional to the rows; so is that of a motion, which takes a step at least from row to row.
     ///
@@ -341,8 +339,7 @@ fn rise(from: f64, to: f64) -> Result<(), FitError> {
     fit.then_some(()).ok_or(FitError::Times { from, to })
 }
 
-/// Times in [a, b] no farther apart than half the width, at least so many; the outer ones are some numbers off the ends,
-/// where a jump may be.
+/// No farther apart than half the width, at least so many; the outer ones are some numbers off the ends, where a jump may be.
 fn times([a, b]: [f64; 2], width: f64, least: f64, shortest: f64) -> impl Iterator<Item = f64> {
     let n = (2.0 * (b - a) / width).ceil().max(least);
     let off = shortest.min(b - a) / 1024.0;
@@ -606,7 +603,6 @@ pub(super) mod tests {
         let function = |t: f64| [libm::sin(2.0 * t), libm::cos(t)];
         let of = |rows: u32| {
             let times = (0..=rows).map(|k| 6.0 * f64::from(k) / f64::from(rows));
-            // Natural at the ends as the first component is at t = 0; the second is not.
             let rows: Vec<_> = times.map(|t| (t, function(t))).collect();
             Fitted::from_table(&rows).unwrap()
         };
@@ -638,8 +634,8 @@ pub(super) mod tests {
         assert!(Fitted::from_table(&back).is_err());
     }
 
-    /// A jolt in the last row alone, of an even and of an odd number. The spline through every second row and the last is
-    /// known from its tridiagonal system; of the rows left out it misses the last but one most.
+    /// The spline through every second row and the last is known from its tridiagonal system; of the rows left out it misses the
+    /// last but one most.
     #[test]
     fn the_last_row_is_among_those_that_tell_the_error() {
         for (rows, error) in [(8, 33.0 / 164.0), (9, 179.0 / 448.0)] {
@@ -672,7 +668,7 @@ pub(super) mod tests {
         ));
     }
 
-    /// A pull with a single pulse on a block at rest: where it comes to, from the antiderivatives by hand with 25 digits.
+    /// With a single pulse; where the block comes to, from the antiderivatives by hand with 25 digits.
     #[test]
     fn a_short_pulse_in_a_long_record_moves_a_block() {
         let moved =

@@ -4,9 +4,9 @@
 //! floor is shaken or tilted: along the floor friction f/m, across it N/m. Where Coulomb's law holds, a slip is a plateau, |f| =
 //! μ_k N, that ends with a jump or a kink, and |f| ≤ μ_s N is all that is known of the rest.
 //!
-//! A sensor on the *floor* records how that moves, which says nothing of friction; nor can a recording tell a plateau of slip
-//! from a floor that for a while accelerates evenly: it is taken for granted that the body slid. A rest on a tilted floor is told
-//! from a slip by x² + z² = g². While a hand pushes the body, or a stop catches it, more than friction acts.
+//! A sensor on the *floor* says nothing of friction; nor can a recording tell a plateau of slip from a floor that for a while
+//! accelerates evenly: it is taken for granted that the body slid. A rest on a tilted floor is told from a slip by x² + z² = g².
+//! While a hand pushes the body, or a stop catches it, more than friction acts.
 
 mod holding;
 mod kinetic;
@@ -290,7 +290,7 @@ pub fn measure(recording: &Recording, settings: &Settings) -> Result<Measured, M
     Ok(found)
 }
 
-/// What a sensor says, and its zeros by slips to and fro.
+/// And its zeros by slips to and fro.
 fn by(mut sensor: Sensor) -> (Measured, [f64; 2]) {
     let mut pieces = sensor.pieces();
     let (mut slips, rests) = kinetic::slips(&sensor, &pieces);

@@ -26,7 +26,7 @@ pub struct Onset {
     pub h: f64,
 }
 
-/// |f₀| − L below this part of L counts as zero: then the start is at the very moment when f outgrows friction.
+/// |f₀| − L below this part of L counts as zero: f outgrows friction at this very moment.
 const THRESHOLD: f64 = 1e-12;
 
 /// The start under a drive f whose coefficient m is `drive(m, c)`, from the coefficients of c up to m; `limit` is L. A series

@@ -110,7 +110,7 @@ struct Run<'a> {
 /// And how long its series serves.
 struct Local {
     a: [Coefficients; 2],
-    /// The least of: what its last coefficients allow, the next break, the end of the motion.
+    /// What its last coefficients allow, up to the next break or the end of the motion.
     left: f64,
     /// The time at which `left` is over, if a break or the end ends it.
     landing: Option<f64>,

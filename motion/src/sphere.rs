@@ -157,7 +157,6 @@ impl Sphere {
         run::run(self, holding, plane, start, until)
     }
 
-    /// R, from the centre to the point of contact.
     fn arm(&self) -> [f64; 3] {
         [0.0, 0.0, -self.radius]
     }
@@ -167,7 +166,7 @@ impl Sphere {
         self.mu * self.mass * self.g
     }
 
-    /// dv/dt and dω/dt by a horizontal force at the point of contact alone.
+    /// By a horizontal force at the point of contact.
     #[inline(always)]
     fn response(&self, force: [f64; 2]) -> ([f64; 2], [f64; 3]) {
         let [x, y, z] = cross(self.arm(), [force[0], force[1], 0.0]);
@@ -177,7 +176,7 @@ impl Sphere {
         )
     }
 
-    /// dc/dt by a horizontal force at the point of contact, for which c answers in the direction of the force.
+    /// dc/dt by a horizontal force at the point of contact.
     fn yielding(&self, force: f64) -> f64 {
         let ([a, _], spin) = self.response([force, 0.0]);
         a + cross(spin, self.arm())[0]
@@ -204,7 +203,7 @@ impl Sphere {
     }
 }
 
-/// Components x, y, v_x, v_y, ω_x, ω_y, ω_z, c_x, c_y; with the time in front where it is one of them.
+/// x, y, v_x, v_y, ω_x, ω_y, ω_z, c_x, c_y; the time in front where it is one of them.
 const PARTS: usize = 9;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -256,7 +255,6 @@ pub struct BallMotion {
     transitions: Vec<Transition>,
     begin: Contact,
     start: Ball,
-    /// Velocity of the point of contact at the start.
     slip: [f64; 2],
     end: Ball,
     drive_error: f64,

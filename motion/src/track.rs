@@ -1,8 +1,8 @@
 //! How long the way of a motion is, and when it has become so long or led so far.
 //!
-//! Along a piece the speed is analytic in the piece's time, the way to a stop included, so a Gauss–Legendre rule is exact. Where
-//! what moves passes through rest, as the centre of a ball may, it has a corner, at which the piece is parted: a rule that sees
-//! no point beyond it would take the speed for negative there.
+//! Along a piece the speed is analytic in the piece's time, so a Gauss–Legendre rule is exact. Where what moves passes through
+//! rest, as the centre of a ball may, the piece is parted: a rule that sees no point beyond the corner would take the speed for
+//! negative there.
 
 use super::error::{MotionError, check};
 use crate::numerics::{
@@ -14,7 +14,6 @@ use crate::numerics::{
 };
 use std::borrow::Cow;
 
-/// Of the square of the distance from a place.
 fn squared(x: &[Cow<'_, [f64]>; 2], centre: [f64; 2]) -> Vec<f64> {
     let longest = x[0].len().max(x[1].len());
     let mut sum = vec![0.0; (2 * longest).max(1)];
@@ -38,16 +37,15 @@ pub(super) struct Part<'m> {
     clock: Option<&'m [f64]>,
     v: [Cow<'m, [f64]>; 2],
     x: [Cow<'m, [f64]>; 2],
-    /// Where in its own time the speed may have a corner.
     corners: Vec<f64>,
-    /// The axis along which it goes one way alone: the change of the place is the way, without an integral.
+    /// Where the change of the place is the way, without an integral.
     along: Option<usize>,
     /// The way up to it.
     before: f64,
 }
 
 impl<'m> Part<'m> {
-    /// By the time t − `from`, from the series of the velocity and of the place.
+    /// With t − `from` as its time, from the series of velocity and place.
     pub(super) fn timed(
         from: f64,
         h: f64,
@@ -73,7 +71,7 @@ impl<'m> Part<'m> {
         self
     }
 
-    /// With corners where it passes through rest, or close by.
+    /// Where it passes through rest, or close by.
     pub(super) fn cornered(mut self) -> Result<Self, NumericsError> {
         let square = squared(&self.v, [0.0; 2]);
         let slope = square.iter().enumerate().skip(1).map(|(k, c)| c * k as f64);
@@ -402,8 +400,7 @@ mod tests {
         );
     }
 
-    /// ½(v² − Ω²r²) falls by μg for each unit of the way on the table; without friction, from the axis, the way is ∫ v√(1 + Ω²t²)
-    /// dt.
+    /// ½(v² − Ω²r²) falls by μg for each unit of the way; without friction, from the axis, that is ∫ v√(1 + Ω²t²) dt.
     #[test]
     fn on_a_turntable() {
         let table = Table {

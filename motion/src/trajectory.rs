@@ -77,7 +77,6 @@ pub(super) enum Piece {
     Rest { from: f64, x: [f64; 2] },
 }
 
-/// A stretch close to rest, as series in the time since it began.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Arc {
     pub(super) from: f64,
@@ -143,7 +142,6 @@ impl Piece {
         }
     }
 
-    /// The first state after the beginning whose velocity points along `n`.
     fn along(&self, n: [f64; 2]) -> Result<Option<State>, MotionError> {
         let across = |v: [&Coefficients; 2]| -> Coefficients {
             std::array::from_fn(|k| v[0][k] * n[1] - v[1][k] * n[0])
@@ -173,7 +171,6 @@ impl Piece {
     }
 }
 
-/// A step of sliding, in which the time is one of the components.
 pub(super) trait SlideStep {
     fn t_start(&self) -> f64;
     /// The s by which the time `elapsed` has gone by.
@@ -261,9 +258,9 @@ impl Motion {
         self.end
     }
 
-    /// The [`error`](super::Acceleration::error) e of a component of the acceleration that was given, in length/time². Friction
-    /// lets no two motions from one start part faster than their pulls: at t this one is off by at most √2 e (t − t₀) in
-    /// velocity, and half of that times t − t₀ in place, beyond the errors of [`run`](super::run).
+    /// The [`error`](super::Acceleration::error) e of a component of the acceleration that was given, in length/time². At t this
+    /// motion is off by at most √2 e (t − t₀) in velocity, and half of that times t − t₀ in place, beyond the errors of
+    /// [`run`](super::run).
     pub fn drive_error(&self) -> f64 {
         self.drive_error
     }

@@ -1,11 +1,9 @@
 //! Every mistake in the physics of `mutants/physics`, one at a time: each has to change a verdict of the ledger.
 //!
-//! A copy of the crate, in which each mistake stands behind a switch, is built once in `target/physics`. Without a mistake it has
-//! to come to the recorded verdicts; then the ledger is tried for each mistake in a process of its own.
-//!
-//! The table goes to `snapshots/physics.csv`, and which measurement reacts to how many of them to `snapshots/reactions.csv`. No
-//! measurement may have ceased to react, and one that reacts to nothing needs a line in `mutants/reads_no_motion.txt`. Names of
-//! mistakes may follow: then only these are tried and nothing is recorded.
+//! A copy of the crate, in which each mistake stands behind a switch, is built once in `target/physics`; the ledger is tried for
+//! each mistake in a process of its own. The results go to `snapshots/physics.csv` and `snapshots/reactions.csv`. No measurement
+//! may have ceased to react, and one that reacts to nothing needs a line in `mutants/reads_no_motion.txt`. Names of mistakes may
+//! follow: then only these are tried and nothing is recorded.
 
 mod build;
 mod list;

@@ -45,7 +45,6 @@ impl Said {
 pub type Verdicts = Vec<(String, Judged)>;
 
 pub enum Found {
-    /// Claims whose verdict is another, and measurements of these claims that say something else.
     Changed {
         /// Ids, in the paper's order.
         claims: Vec<String>,
@@ -157,7 +156,6 @@ fn workers() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Several at a time, in their order; with how many are done.
 fn each<T: Sync, R: Send>(
     all: &[T],
     f: impl Fn(&T) -> R + Sync,
@@ -236,7 +234,6 @@ pub fn all<'a>(
         .collect()
 }
 
-/// All claims, those that were tried as they came out.
 fn with(right: &Verdicts, tried: Verdicts) -> Verdicts {
     let mut tried: BTreeMap<_, _> = tried.into_iter().collect();
     let all = right.iter().map(|(id, judged)| {

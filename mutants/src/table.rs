@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 const NAMED: usize = 3;
 
-/// Name, what is wrong, how many verdicts change, the first of their claims and of the measurements that notice.
+/// Name, what is wrong, how many verdicts change, the first claims and measurements that notice.
 pub fn csv(as_of: &str, found: &[(&Mistake, Found)]) -> String {
     let mut out = format!("{as_of}: mistake,physics,verdicts,claims,trials\n");
     for (mistake, found) in found {
@@ -32,7 +32,7 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// Which it is, to how many mistakes it reacts, and how many of its comparisons disagree then.
+/// Which it is, to how many mistakes it reacts, how many comparisons disagree then.
 pub fn reactions(as_of: &str, all: &[Reaction]) -> String {
     let mut out = format!("{as_of}: claim,route,subject,nth,mistakes,disagree\n");
     for of in all {
@@ -42,7 +42,7 @@ pub fn reactions(as_of: &str, all: &[Reaction]) -> String {
     out
 }
 
-/// By claim, route and subject: how many measurements react to a mistake, and how many to none.
+/// By claim, route and subject: how many measurements react, and how many do not.
 type Counts = BTreeMap<[String; 3], [usize; 2]>;
 
 fn counts<'a>(all: impl Iterator<Item = (&'a [String; 3], usize)>) -> Counts {
@@ -53,7 +53,7 @@ fn counts<'a>(all: impl Iterator<Item = (&'a [String; 3], usize)>) -> Counts {
     counts
 }
 
-/// Measurements that no longer react, those that react to nothing without an excuse, and excuses that are needed no more.
+/// No longer reacting, reacting to nothing without an excuse, or excused for nothing.
 pub fn complaints(all: &[Reaction], record: &str, excuses: &str) -> Vec<String> {
     let now = counts(all.iter().map(|of| (&of.key, of.mistakes)));
     let recorded: Vec<([String; 3], usize)> = record.lines().skip(1).filter_map(recorded).collect();

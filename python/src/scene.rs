@@ -20,7 +20,6 @@ pub struct Scene {
     read: (scene::Scene, Until),
 }
 
-/// Words with their texts, and what a recording does.
 #[derive(Clone)]
 struct Words {
     body: String,
@@ -130,7 +129,7 @@ fn shaken(given: &Bound<'_, PyDict>) -> PyResult<Option<Part>> {
 }
 
 impl Scene {
-    /// With these words beside those that are there: None, or False, takes one away.
+    /// None, or False, takes a word away.
     fn new(
         body: &str,
         given: Bound<'_, PyDict>,

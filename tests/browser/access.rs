@@ -5,12 +5,10 @@ use crate::chrome::{Page, Seen};
 use crate::pages::none;
 use crate::visit::visits;
 
-/// The law, and what the checker holds good practice.
 const ALL: &str = "['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice']";
 /// By another look of the same page.
 const LOOK: &str = "{ type: 'rule', values: ['color-contrast', 'link-in-text-block'] }";
 
-/// With all colours between them; with the themes besides the one by day.
 const LOOKS: [(&str, &[&str]); 4] = [
     ("constant.html", &["navy", "coal", "ayu", "rust"]),
     ("index.html", &["navy"]),
@@ -21,8 +19,8 @@ const LOOKS: [(&str, &[&str]); 4] = [
 /// With what each asks and the first places.
 fn broken(page: &mut Page, rules: &str) -> Seen<Vec<String>> {
     page.value(concat!(include_str!("axe/axe.min.js"), ";0"))?;
-    // Style sheets on the disk may not be read once more. Twenty formulas stand for all of the page, which are made alike. What
-    // is folded is not looked at; the answers to the exercises are unfolded.
+    // Style sheets on the disk may not be read once more. Twenty formulas stand for all of the page. What is folded is not looked
+    // at; the answers to the exercises are unfolded.
     page.texts(&format!(
         "document.querySelectorAll('.exercise details').forEach(answer => {{ answer.open = true; }});
          document.querySelectorAll('details:not([open]) > :not(summary)').forEach(hidden => hidden.remove());

@@ -230,7 +230,6 @@ impl Page<'_> {
         self.wait_for("document.fonts.status === 'loaded'")
     }
 
-    /// Goes to the explorer of the page, if it has one, and back.
     pub fn explored(&mut self) -> Seen {
         self.value("document.querySelector('[data-explorer]')?.nextElementSibling.scrollIntoView({ behavior: 'instant' })")?;
         self.begun()?;
@@ -302,7 +301,6 @@ impl Page<'_> {
             .map(drop)
     }
 
-    /// Pressed at the first place, moved along the others, and let go.
     pub fn drag(&mut self, places: &[[f64; 2]]) -> Seen {
         let (first, last) = match places {
             [first, .., last] | [first @ last] => (first, last),

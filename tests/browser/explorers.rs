@@ -97,7 +97,7 @@ const STATES: [(&str, &[&str]); 9] = [
     ),
 ];
 
-/// From the crate: the values with their names and units, in order; and what it says, or a part of it.
+/// Values with names and units, in order; and what it says, or a part of it.
 fn expected(name: &str, state: &[f64]) -> Seen<(Vec<String>, String)> {
     let mut given = [0.0; 4];
     given[..state.len()].copy_from_slice(state);
@@ -347,7 +347,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
         ))
     }
 
-    /// Presses a key with this part in focus; it has to move one input.
+    /// It has to move one input.
     fn steps(&mut self, part: &str, key: &str) -> Seen {
         let before = self.right()?;
         self.page.press(key)?;
@@ -410,7 +410,6 @@ impl<'p, 'b> Explorer<'p, 'b> {
         ))
     }
 
-    /// The reader is still on the page, and it has not complained.
     fn unharmed(&mut self) -> Seen {
         let (name, complaints) = (self.name, self.page.complaints());
         let here: String = self.read("location.pathname")?;
@@ -421,7 +420,6 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 }
 
-/// Whatever a reader at a desk does, it shows what the crate says.
 pub fn desk(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
@@ -545,7 +543,7 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Seen {
                 "{name}: dragging the hand of plot {plot} does nothing at {before:?}"
             ));
         }
-        // The hand is where the mouse left it, but for the steps of the inputs and the axis to which it is bound.
+        // But for the steps of the inputs and the axis to which it is bound.
         let [hand, ..] = explorer.places(plot)?;
         let off = [0, 1].map(|i| (hand[i] - share(0.6, 0.6)[i]).abs());
         let free = match (name, plot) {
@@ -561,7 +559,6 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Seen {
     Ok(())
 }
 
-/// By the arrow keys, one input at a time, and by the mouse.
 fn bodies(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let count: u64 = explorer.read("host.querySelectorAll('.stage .hand').length")?;
@@ -611,7 +608,7 @@ pub fn touch(page: &mut Page, book: &Book) -> Seen {
     Ok(())
 }
 
-/// Bodies are played, stepped and drawn along, and end where the crate says; the first page's coin is taken by hand and let go.
+/// Played, stepped and drawn along, they end where the crate says; the first page's coin is taken by hand and let go.
 pub fn stages(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
@@ -670,7 +667,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Seen {
     }
     explorer.plays()?;
     untold(page, book)?;
-    // Before the guess nothing is told, also to who has nothing against motion.
+    // Also to who has nothing against motion.
     page.still(false)?;
     let mut wrong = Vec::new();
     for name in PAGES.map(name_on) {
@@ -754,7 +751,6 @@ fn guess(explorer: &mut Explorer<'_, '_>) -> Seen {
     Ok(())
 }
 
-/// Labels that a careless way to markup would break.
 const ODD: [&str; 7] = [
     "𝔴_𝔴: w_x, 𝔴",
     "_<b_>x</b> & _&amp;",
@@ -765,7 +761,6 @@ const ODD: [&str; 7] = [
     "",
 ];
 
-/// All that is written is words and nothing of their markup.
 pub fn labels(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for (name, states) in STATES {
@@ -803,7 +798,6 @@ pub fn labels(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// A text as it is seen, and what is seen of a label.
 const PLAIN: &str = "text => text.textContent.replaceAll('\u{200b}', '')";
 const SEEN: &str = "label => label.replace(/_(.)/gsu, '$1').replaceAll('𝔴', 'w')";
 
@@ -839,7 +833,7 @@ pub fn addresses(page: &mut Page, book: &Book) -> Seen {
         // The still figure is behind a fold, which its own address opens.
         page.value("location.hash = document.querySelector('.explorer-static figure').id")?;
         page.wait_for("document.querySelector('.explorer-static svg').checkVisibility()")?;
-        // A link followed before the last state is noted keeps its address; timers of the same length run in order.
+        // A link followed before the last state is noted keeps its address.
         let kept = page.value(&format!(
             "document.querySelector('#explore-{name} .inputs button').click(), location.hash = 'elsewhere',
              new Promise(later => setTimeout(() => later(location.hash), 200))"
@@ -865,7 +859,6 @@ pub fn addresses(page: &mut Page, book: &Book) -> Seen {
     Ok(())
 }
 
-/// What turns red in the page is what turns red in the crate.
 pub fn broken(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("breaking.html"))?;
     page.wait_for("document.querySelector('#broken button') !== null")?;

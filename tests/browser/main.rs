@@ -1,10 +1,7 @@
 //! The book in a real browser, opened from the disk.
 //!
-//! Without a Chromium on the search path these tests are skipped, and say so, unless `SLIPBOOK_BROWSER=require` is set, as by
-//! `.ci/run`.
-//!
-//! What a reader waits for is allowed ten times as long here as it is meant to take, for machines that do other work beside;
-//! `cargo bench --test browser` measures it alone and allows no more.
+//! Without a Chromium these tests are skipped, and say so, unless `SLIPBOOK_BROWSER=require` is set, as by `.ci/run`. What a
+//! reader waits for is allowed ten times as long here as it is meant to take; `cargo bench --test browser` allows no more.
 
 mod access;
 mod chrome;

@@ -23,7 +23,6 @@ fn allowed(aim: f64) -> f64 {
     }
 }
 
-/// For each of the crate's questions, the slowest among them.
 const GIVEN: [(u32, &[[f64; 4]]); 14] = [
     (0, &[[1.2, 120.0, 0.0, 0.0], [1.01, 1.0, 0.0, 0.0]]),
     (1, &[[1.01, 0.0, 0.0, 0.0], [1.2, 0.0, 0.0, 0.0]]),
@@ -54,7 +53,6 @@ fn slow(page: &mut Page, rate: f64) -> Seen {
         .map(drop)
 }
 
-/// In time, the border between rest and escape too.
 pub fn answers(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("index.html"))?;
     slow(page, SLOWER)?;
@@ -160,7 +158,7 @@ pub fn frames(page: &mut Page, book: &Book) -> Seen {
     none(late)
 }
 
-/// Words can be read, and what one plays with stays in view with each picture; an explorer is in the first third of its page.
+/// Words can be read; what one plays with stays in view; an explorer is in the first third of its page.
 pub fn phone(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for name in PAGES.map(crate::explorers::name_on) {

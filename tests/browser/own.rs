@@ -31,7 +31,6 @@ fn other(found: &Value, question: &str) -> Vec<String> {
         .collect()
 }
 
-/// From the link, from the fields, from a command, and back.
 pub fn scenes(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     let line = "document.querySelector('#own textarea')";
@@ -167,7 +166,6 @@ fn two(numbers: &[f64]) -> [f64; 2] {
     [0, 1].map(|i| numbers.get(i).copied().unwrap_or(f64::NAN))
 }
 
-/// Its plot, the block on it, its friction, and the same as a scene.
 pub fn recordings(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     let row = |k: i32| {

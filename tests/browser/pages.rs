@@ -6,7 +6,6 @@ use crate::visit::visits;
 use serde_json::json;
 use std::collections::BTreeSet;
 
-/// Without complaining, or asking anybody for anything.
 pub fn load(page: &mut Page, book: &Book) -> Seen {
     let visits = visits(page, book)?.iter();
     let found = visits.flat_map(|(name, visit)| {
@@ -52,7 +51,7 @@ pub fn links(page: &mut Page, book: &Book) -> Seen {
     )
 }
 
-/// Whether a label shows what should have become markup, or has and is read as text. Between two quantities `<` is a sign.
+/// It shows what should have become markup, or has and is read as text. Between two quantities `<` is a sign.
 pub fn is_marked(label: &str) -> bool {
     let label = label.replace(" < ", "").replace(" > ", "");
     label.contains(['"', '<', '>', '&', '_', '^'])
@@ -84,7 +83,6 @@ fn questions() -> impl Iterator<Item = (&'static str, &'static str)> {
     lines.filter_map(|line| line.split_once('\t'))
 }
 
-/// What one asks for is first, and a claim bears its verdict's mark.
 pub fn search(page: &mut Page, book: &Book) -> Seen {
     let mut missing = Vec::new();
     page.open(&book.address("index.html"))?;
@@ -235,7 +233,6 @@ pub fn lengths(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// It answers to numbers, symbols and words, and has a mark for every equation.
 pub fn front(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("index.html"))?;
     let mut wrong = Vec::new();
@@ -274,7 +271,7 @@ pub fn front(page: &mut Page, book: &Book) -> Seen {
             wrong.push(format!("whether {example} is found is not known"));
         }
     }
-    // Nothing of it has to be scrolled to, and no two parts of the strip are called the same.
+    // And no two parts of the strip are called the same.
     page.resize(1400, 900)?;
     page.open(&book.address("index.html"))?;
     page.explored()?;
@@ -423,7 +420,6 @@ pub fn narrow(page: &mut Page, book: &Book) -> Seen {
     )
 }
 
-/// The figures are seen, the places of the explorers are not.
 pub fn without_scripts(page: &mut Page, book: &Book) -> Seen {
     page.call(
         "Emulation.setScriptExecutionDisabled",

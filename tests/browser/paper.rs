@@ -11,8 +11,8 @@ const SHEET: u32 = 665;
 /// Long formulas, wide tables, figures.
 const HARD: [&str; 6] = ["errata", "ledger", "methods", "lookup", "exam", "map"];
 
-/// Eight points at least, but for indices and powers, and no formula is wider than its place, or a browser would set the whole
-/// page smaller.
+/// Eight points at least, but for indices and powers; no formula is wider than its place, or a browser would set the whole page
+/// smaller.
 pub fn sizes(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for name in CHAPTERS.into_iter().chain(HARD) {
@@ -73,7 +73,6 @@ pub fn sizes(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// Nothing lies over it; the errata fill few sheets.
 pub fn sheets(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for name in ["errata", "ledger", "constant", "rest"] {

@@ -57,7 +57,6 @@ fn tray(film: &Answer, i: usize) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
     (vec![[across(film, i, 70.0), 85.0]], vec![arrow])
 }
 
-/// Explorer, address, the question that its film answers, and what is to be seen.
 const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
     (
         "constant",
@@ -190,7 +189,6 @@ pub fn pictures(page: &mut Page, book: &Book) -> Seen {
             let (places, arrows) = expected(&film, picture);
             let long = |[u, v]: &[f64; 2]| u.hypot(*v) >= 1.0;
             let near = |a: &[f64; 2], b: &[f64; 2]| (0..2).all(|k| (a[k] - b[k]).abs() < OFF);
-            // Near a side there is a second body at the other one.
             let missing = places
                 .iter()
                 .any(|place| !seen.bodies.iter().any(|b| near(b, place)));

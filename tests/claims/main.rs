@@ -100,7 +100,6 @@ fn verdicts(ledger: &Ledger) -> Result<(), Failed> {
     same_as_snapshot("", "verdicts", &Record::text_of(ledger))
 }
 
-/// What the sheets answer without trying is what the trials bring.
 fn recorded(ledger: &Ledger) -> Result<(), Failed> {
     let told = |of: &Ledger| -> Result<Vec<String>, Failed> {
         let mut errata = of.errata()?;
@@ -220,7 +219,6 @@ fn names_another(entry: &Entry, e: &Evidence) -> Option<String> {
     (!strange.is_empty()).then(|| format!("{named:?} is named and was not read"))
 }
 
-/// The number of points that fail and the pairs that are shown say what the outcome says.
 fn shows(e: &Evidence) -> bool {
     let apart = |s: &Sample| s.stated != s.found;
     let shown = || (1..=e.failed).contains(&e.samples.len()) && e.samples.iter().all(apart);
@@ -231,7 +229,7 @@ fn shows(e: &Evidence) -> bool {
     }
 }
 
-/// Values that the trials of their claim neither read nor show, roots and runs of their own: by hand, with the claim.
+/// Roots and runs of their own, which the trials neither read nor show.
 const VALUES_BY_HAND: &[(&str, &str)] = &[
     ("fig-3-largest", "fig-3"),
     ("fig-4-largest", "fig-4"),
@@ -251,7 +249,6 @@ const VALUES_BY_HAND: &[(&str, &str)] = &[
     ("curve-a-12", "eq-53"),
 ];
 
-/// From what the trials of its claim read, a formula or runs, or they show it.
 fn values(ledger: &Ledger) -> Result<(), Failed> {
     let mut strange = Vec::new();
     for value in PAPER.values() {
@@ -290,8 +287,7 @@ fn term(latex: &str, at: &BTreeMap<&str, f64>) -> Option<f64> {
     }
 }
 
-/// Whether what a condition begins with holds, or by how little it does not: `a<b<c`, `a>b` or `a\neq b,c`; nothing if it is in
-/// words, or about something else.
+/// Or by how little it does not: `a<b<c`, `a>b` or `a\neq b,c`; nothing if it is in words, or about something else.
 fn holds(text: &str, at: &BTreeMap<&str, f64>, nearly: f64) -> Option<bool> {
     let (relation, _) = text.strip_prefix('$')?.split_once('$')?;
     if let Some((left, right)) = relation.split_once(r"\neq") {
@@ -308,8 +304,8 @@ fn holds(text: &str, at: &BTreeMap<&str, f64>, nearly: f64) -> Option<bool> {
     (terms.len() > 1).then(|| terms.windows(2).all(|pair| pair[0] < pair[1] + nearly))
 }
 
-/// Points that a condition excepts are those at which it does not hold as printed, and those tried as printed are those at which
-/// it holds: a trial has its points from elsewhere than the words.
+/// Excepted points are those at which the condition does not hold as printed, tried ones those at which it does: a trial has its
+/// points from elsewhere than the words.
 fn conditions(ledger: &Ledger) -> Result<(), Failed> {
     let mut strange = Vec::new();
     let everywhere: BTreeMap<_, _> = SYMBOLS.iter().map(|symbol| (symbol.plain, 0.5)).collect();
@@ -365,7 +361,6 @@ fn conditions(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// Evidence without a reading is that for which a reason is given.
 fn reading(ledger: &Ledger) -> Result<(), Failed> {
     let those = |wanted: fn(&Entry, &Attempt, &Evidence) -> bool| {
         ledger.entries.iter().flat_map(move |entry| {
@@ -390,7 +385,7 @@ fn as_recorded(ledger: &Ledger) -> Vec<&Entry> {
     ledger.entries.iter().filter(same).collect()
 }
 
-/// The proof by claim and name, its statement, whether it speaks of the formula, and the formula's wrong variants.
+/// Claim and name, statement, whether it speaks of the formula, and the formula's wrong variants.
 type Read<'a> = (
     (&'static str, &'static str),
     &'static dyn Proved,
@@ -398,8 +393,8 @@ type Read<'a> = (
     Vec<&'a Variant>,
 );
 
-/// Every proof by algebra fails for every wrong variant of its claim's formulas that it reads, alone where it speaks of them; and
-/// of any other that it reads for one at least. Else a reason is given.
+/// For every one of its claim's formulas that it reads, alone where it speaks of them; of any other that it reads for one at
+/// least. Else a reason is given.
 fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
     let variants = PAPER.formulas.variants();
     let as_recorded = as_recorded(ledger);
@@ -501,7 +496,6 @@ fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
     all_asked(variants.len(), there, "wrong variants")
 }
 
-/// Nothing is missing where a theorem says the whole, or nothing is to be proved.
 fn reasons(ledger: &Ledger) -> Result<(), Failed> {
     let wrong = as_recorded(ledger).into_iter().filter_map(|entry| {
         let why = match (entry.standing(), entry.claim.unproved) {
@@ -518,7 +512,6 @@ fn reasons(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// A replacement and a case against a claim where it fails, a regular form where it has a condition.
 fn shown(ledger: &Ledger) -> Result<(), Failed> {
     let idle = as_recorded(ledger).into_iter().flat_map(|entry| {
         let (claim, verdict) = (entry.claim, entry.judgement.verdict);

@@ -5,7 +5,6 @@ use std::f64::consts::{PI, TAU};
 
 type Shape = fn(f64) -> f64;
 
-/// With one hump or several; of each the jumps and kinks.
 const SHAPES: [(&str, Shape, &[f64]); 7] = [
     ("sine", |x| libm::sin(x), &[]),
     (
@@ -88,7 +87,7 @@ fn seen(drive: &Drive, found: &Attractor) -> Margins {
             margins.shortest = margins.shortest.min(interval.length());
         }
         let before = list[if k == 0 { list.len() - 1 } else { k - 1 }].sign;
-        // Just after the change: where it happens at a jump, the side of the new motion counts.
+        // At a jump the side of the new motion counts.
         let pull = drive.h(interval.start + 1e-9);
         let excess = match (before, interval.sign) {
             (Sign::Negative, Sign::Positive) => pull - friction.plus(),
@@ -112,7 +111,6 @@ fn seen(drive: &Drive, found: &Attractor) -> Margins {
         let after = (side == 0.0).then_some(interval.end + 1e-9);
         let mut values: Vec<_> = phases(interval).iter().chain(&after).map(value).collect();
         if list.len() == 1 {
-            // Past the end of a rest for ever it begins again.
             values.extend_from_within(..2);
         }
         for three in values.windows(3) {
@@ -198,7 +196,7 @@ fn a_period_is_listed_once_from_where_it_is_said_to_begin() {
         if list.len() == 1 {
             continue;
         }
-        // Where it begins there is no better place: a rest before forward motion, a rest, w rising.
+        // A rest before forward motion, a rest, w rising.
         let rank = |i: usize| match (list[(i + list.len() - 1) % list.len()].sign, list[i].sign) {
             (Sign::Rest, Sign::Positive) => 0,
             (Sign::Rest, _) => 1,

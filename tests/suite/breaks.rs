@@ -14,7 +14,6 @@ fn read(bytes: &[u8]) -> Value {
 
 const REBUILD: &str = "run `book/breaks/rebuild`, which adds the target wasm32-unknown-unknown to the toolchain, and commit book/theme/breaks.wasm";
 
-/// Each formula in each way in which it can be broken, with its values.
 #[test]
 fn the_module_in_the_page_is_made_of_these_formulas_and_trials() {
     let mut page = Page::open(include_bytes!("../../book/theme/breaks.wasm"));
@@ -67,7 +66,7 @@ fn difference(was: &Value, now: &Value) -> Option<String> {
     }
 }
 
-/// Of one claim of each topic, that with the fewest comparisons: it takes long.
+/// With the fewest comparisons of each topic: it takes long.
 #[test]
 fn the_module_in_the_page_gives_the_answers_of_the_crate() {
     let mut page = Page::open(include_bytes!("../../book/theme/breaks.wasm"));
@@ -107,7 +106,6 @@ fn the_module_in_the_page_gives_the_answers_of_the_crate() {
     assert_eq!(beyond, Value::Null);
 }
 
-/// Whether each trial reads the formula and agrees; not the last digits.
 fn outcomes(answer: &Value) -> Value {
     let trials = answer["trials"].as_array();
     let trials = trials.into_iter().flatten();

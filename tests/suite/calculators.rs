@@ -183,7 +183,6 @@ fn the_boundary_is_compared_with_its_expansion_and_shown_as_it_is() {
         let answer = problem.solve().unwrap();
         let a = answer.best.a;
         assert_eq!(answer.by_motion.map(|m| m.a), Some(a));
-        // The expansion is for small α; with it there is something to compare.
         let formula = answer.by_formula.map(|f| f.a);
         assert_eq!(formula.is_some(), alpha <= 0.3, "α = {alpha}");
         let differs = formula.map(|f| (f - a).abs() / f.abs().max(a.abs()));

@@ -31,7 +31,6 @@ fn slip_end(lambda: f64) -> f64 {
     slips.next().unwrap().end
 }
 
-/// A number that is computed beside its enclosure is compared elsewhere.
 #[test]
 fn every_certified_number_is_found_in_ordinary_numbers() {
     let other = [

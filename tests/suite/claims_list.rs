@@ -27,8 +27,8 @@ fn the_equations_stand_in_their_order() {
     );
 }
 
-/// An equation has a number for the signs that it prints, whatever braces, blanks and sizes of brackets stand around them. The
-/// paper does not change, and neither do these lines: nothing writes them.
+/// Each equation has a number for the signs that it prints, without braces, blanks and sizes of brackets. Nothing writes these
+/// lines.
 #[test]
 fn what_is_printed_is_what_the_paper_prints() {
     let line = |claim: &Claim| {
@@ -127,7 +127,6 @@ fn inline(text: &str) -> Option<Vec<&str>> {
     (parts.len() % 2 == 1).then(|| parts.into_iter().skip(1).step_by(2).collect())
 }
 
-/// Those of conditions included; `None` if a `$` has no partner.
 fn formulas(claim: &Claim) -> Option<Vec<&'static str>> {
     let mut formulas = match claim.equation {
         Some(_) => vec![claim.latex],
@@ -193,7 +192,7 @@ fn formulas_render() {
 
 #[test]
 fn dependencies_have_no_cycle() {
-    // Drop whatever depends on nothing left, or on which nothing left depends: what stays lies on a cycle or between two.
+    // Drop whatever depends on nothing left, or on which nothing left depends.
     let mut left: Vec<&Claim> = all().collect();
     loop {
         let stays = |c: &&Claim| {

@@ -39,7 +39,6 @@ fn json(line: &str) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
-/// The neighbours tell a misprint from an inherited error, so they are tried too.
 #[test]
 fn what_is_wrong_has_the_same_verdict_alone() {
     let record = text!("snapshots/verdicts.snap").as_str();
@@ -571,7 +570,6 @@ fn trials_stop_in_good_order() {
     assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0);
 }
 
-/// With the rows that were asked; of a value that is looked for, with nothing.
 #[cfg(unix)]
 #[test]
 fn scenes_stop_in_good_order() {
@@ -632,7 +630,6 @@ fn mistakes_are_put_to_the_trials_of_a_claim() {
     );
 }
 
-/// Under the same names; of a list the table has the length.
 #[test]
 fn a_table_and_its_json_say_the_same() {
     for (arguments, rows) in [

@@ -1,5 +1,5 @@
-//! For each claim a point within what it is stated for, at which all formulas of the paper and of the corrections that it tries
-//! have values, by enclosure. It is given in sixteenths, but for the phases that follow from λ₀.
+//! For each claim a point within what it is stated for, at which all formulas that it tries have values, by enclosure: in
+//! sixteenths, but for the phases that follow from λ₀.
 
 use slipbook::claims::{PAPER, formulas::formulas};
 use slipbook::numerics::roots::root;

@@ -92,7 +92,6 @@ fn a_throw_is_that_of_the_paper() {
         let [places, speeds, alike] = &film.curves[..] else {
             panic!("{what}: curves of the film")
         };
-        // On a plane at rest friction alone brakes, along the line of the start.
         for (i, place) in alike.iter().enumerate() {
             let t = (i as f64 * end / PICTURES).min(1.0 / lambda);
             let way = t - lambda * t * t / 2.0;
@@ -181,7 +180,7 @@ impl Shaken {
         }
     }
 
-    /// In the share η of each half period; their sum is added up once more on a grid.
+    /// Their sum is added up once more on a grid.
     fn pulses(eta: f64) -> Self {
         const GRID: usize = 200_000;
         let end = eta * PI;
@@ -309,7 +308,6 @@ impl Shaken {
         self.holds(&block, friction, what);
         let [place, velocity] = [places, velocities].map(|curve| column(curve, 1));
         sums(&place, &velocity, step, self.corners, what);
-        // The floor accelerates by the opposite of the inertial force.
         for (phi, (place, velocity)) in phases.zip(places.iter().zip(velocities)) {
             near(place[0], -(self.twice)(phi), 1e-6, what);
             near(velocity[0], -(self.sum)(phi), 1e-6, what);
@@ -377,7 +375,7 @@ fn a_coin_moves_as_in_the_laboratory() {
         let [fate, sigma, tau, step] = values[..] else {
             panic!("{what}: {values:?}")
         };
-        // It starts with (u, v) on the table; the laboratory adds the table's own velocity.
+        // The laboratory adds the table's own velocity.
         let start = State {
             t: 0.0,
             x: [rho, 0.0],

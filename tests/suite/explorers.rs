@@ -274,8 +274,8 @@ fn a_coin_that_goes_away_comes_near_the_late_laws() {
         let correction = 4.0 * 4.0 * LN_10 / 1e4;
         assert!((last / limit - 1.0).abs() < correction, "{last} {limit}");
     }
-    // 40 points a decade: twice as many powers of ten outwards, and as far around as a logarithmic spiral, to the first
-    // correction at τ = 10³.
+    // At 40 points a decade: twice as many powers of ten outwards, and as far around as a logarithmic spiral, to the first
+    // correction.
     let polar = |[x, y]: [f64; 2]| [x.hypot(y), y.atan2(x)];
     let [[r, angle], [far, on]] = [path.len() - 41, path.len() - 1].map(|i| polar(path[i]));
     let correction = 1.5 * SQRT_2 * 3.0 * LN_10 / 1e3;
@@ -298,7 +298,6 @@ fn a_coin_rests_elsewhere_than_the_surface_with_psi_free_says() {
 
 #[test]
 fn the_guesses_have_the_answers_that_are_given() {
-    // Across the pull at λ = 2: a third later than the 1/2 on a table at rest.
     let stop = constant::motion(2.0, 90.0).unwrap().values[1];
     assert!((stop / 0.5 - 4.0 / 3.0).abs() < 1e-12);
     // On a table at rest it stops at 1/(2λ).
@@ -307,28 +306,25 @@ fn the_guesses_have_the_answers_that_are_given() {
         .copied()
         .unwrap();
     assert!(x.abs() < 1e-12 && (y - 0.25).abs() < 1e-12);
-    // Across the stroke the logarithm falls faster from period to period: no straight line is below it for ever.
     let depths = plane::film(0.3, 0.5, 1.0).unwrap().curves[2].clone();
     let depth = |period: usize| depths[period * (depths.len() - 1) / 4][1];
     assert!(depth(2) - depth(1) > 2.0 * (depth(1) - depth(0)) && depth(3) > 2.0 * depth(2));
-    // As friction grows, rests come, go, and come again.
     let rests = |lambda: f64| {
         let values = periodic::motion(1.5, lambda, 1.0, 0.0).unwrap().values;
         values[4..].chunks(3).filter(|i| i[0] == 0.0).count()
     };
     assert_eq!([0.03, 0.08, 0.15, 0.4, 0.8].map(rests), [0, 2, 0, 2, 4]);
-    // Flicked against the turning, the coin rests; as hard along it, farther out, it does not.
+    // As hard along the turning, farther out, it does not rest.
     for (rho, v, rests) in [(0.5, -0.48, 1.0), (0.7, -0.48, 1.0), (0.7, 0.48, 0.0)] {
         assert_eq!(turntable::motion(rho, [0.0, v]).unwrap().values[0], rests);
     }
-    // With the turning in the laboratory, against it on the record.
     let thrown = turntable::motion(0.0, [1.5, 0.0]).unwrap().curves;
     let side = |curve: &[[f64; 2]]| curve[40][1];
     assert!(side(&thrown[0]) < -0.1 && side(&thrown[1]) > 0.1);
     // A hair apart.
     let put_down = |rho: f64| turntable::motion(rho, [0.0, -rho]).unwrap().values[0];
     assert_eq!([0.87, 0.88].map(put_down), [1.0, 0.0]);
-    // The drift is the larger the weaker friction is; forwards for two thirds of the time, where it is half as strong.
+    // Forwards for two thirds of the time where friction is half as strong.
     let drifts = [0.002, 0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99].map(|lambda| {
         let values = anisotropic::motion(2.0, lambda, -0.5).unwrap().values;
         let forwards = values[5..].chunks(3).filter(|i| i[0] == 1.0);

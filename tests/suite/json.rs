@@ -142,7 +142,6 @@ fn every_field_is_described_and_every_described_field_is_written() {
     }
 }
 
-/// Digits and columns from 1 and from 0, mistakes from 0.
 #[test]
 fn places_are_counted_as_the_page_says() {
     // Four of the five digits are right.
@@ -165,7 +164,6 @@ fn places_are_counted_as_the_page_says() {
     assert!(own.as_array().unwrap().len() > 10);
 }
 
-/// Where regimes meet, and what moves turns round or stops.
 #[test]
 fn answers_at_special_points_have_the_types_described() {
     let sections = sections();

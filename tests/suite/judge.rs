@@ -322,7 +322,6 @@ fn the_page_gives_the_rules_of_the_judge() {
         ":",
         // The step is right, what it starts from is not.
         ": printed -integration step +integration",
-        // It fails, and what replaces it is tried in one way alone.
         "sign : printed -integration corrected +integration",
         misprint,
         "statement : printed -integration corrected +integration +quadrature",

@@ -16,7 +16,6 @@ fn table() -> Table {
     }
 }
 
-/// By the integration on the table and by that in the laboratory.
 fn both(start: &turntable::State, until: f64) -> [Path; 2] {
     let table = table();
     let outside = table.to_laboratory(start);
@@ -38,7 +37,6 @@ fn the_last_way_to_a_stop_is_that_of_a_constant_force() {
             let stop = *path.stops().last().unwrap();
             let place = path.resting_place().unwrap();
             let at = |before: f64| path.on_table(stop - before).unwrap();
-            // Along the way act friction and the centrifugal force.
             let slowing = |s: &turntable::State| {
                 let along = (s.x[0] * s.v[0] + s.x[1] * s.v[1]) / s.speed();
                 table().friction() - table().omega * table().omega * along
@@ -173,7 +171,6 @@ fn a_velocity_has_a_direction_when_it_first_points_there() {
         assert_eq!(free.first_along([-n[0], -n[1]]).unwrap(), None);
     }
     assert_eq!(free.first_along([-2.0, 1.0]).unwrap().unwrap().t, 2.0);
-    // From rest, and back again: it sets out at once, and turns round at 2 π.
     let start = State {
         t: 0.0,
         v: [0.0; 2],
@@ -199,7 +196,7 @@ fn a_velocity_has_a_direction_when_it_first_points_there() {
     );
 }
 
-/// From rest: the place or the velocity is a number for some of the time only.
+/// The place or the velocity is a number for some of the time only.
 #[test]
 fn a_motion_that_leaves_the_numbers_is_an_error() {
     let beyond = |error| {

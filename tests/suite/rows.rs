@@ -115,7 +115,7 @@ fn the_end_of_a_slip_is_found_where_every_other_step_has_to_halve_the_bracket() 
 
 #[test]
 fn the_shortest_backward_slips_are_not_missed() {
-    // Forward motion ends shortly before the drive is strongest, and that is hardly strong enough.
+    // Shortly before the drive is strongest, and that is hardly strong enough.
     let mut row = Row::new(0.226).unwrap();
     assert!(row.forward[1] > 1.5 + PI && row.forward[1] < 1.5 * PI);
     let q = 0.9999 / 0.226;
@@ -128,7 +128,7 @@ fn the_shortest_backward_slips_are_not_missed() {
         (length - period.negative).abs() < 1e-10,
         "{length} {period:?}"
     );
-    // So short a slip lasts three times as long as the drive takes from λ₋ to its height.
+    // Three times as long as the drive takes from λ₋ to its height.
     let rise = libm::acos(0.9999);
     assert!((length / rise - 3.0).abs() < 1e-3, "{length} {rise}");
 }

@@ -52,7 +52,7 @@ fn the_figures_are_the_recorded_ones() {
     assert_eq!(recorded, drawn.collect(), "snapshots of figures");
 }
 
-/// What each column holds as a whole, then the first rows and some evenly between them and the last.
+/// Each column as a whole, then the first rows and some evenly between them and the last.
 fn thinned(csv: &str) -> String {
     let mut lines = csv.lines().map(crate::cells);
     let head = lines.next().unwrap();

@@ -188,7 +188,7 @@ fn modules_named<'m>(code: &str, modules: &BTreeSet<&'m str>) -> BTreeSet<&'m st
 
 /// A function of [`Scalar`](trialbook::scalar::Scalar) can ask how large a number is by `nearest` alone. Without that it is one
 /// analytic expression, and cannot be right at the points of its trials and wrong between them. What distinguishes cases is named
-/// here; its cases are all tried.
+/// here.
 #[test]
 fn no_formula_is_another_one_elsewhere() {
     // A number that can be compared, and what follows from it.

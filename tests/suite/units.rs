@@ -29,7 +29,6 @@ fn growth(unit: &str, [length, time, mass]: [f64; 3]) -> Option<f64> {
     }
 }
 
-/// One for each component; none where one has several.
 fn units(formula: &Formula<f64>) -> Option<Vec<&'static str>> {
     let module = formula.path.rsplit_once("::")?.0;
     let mut units = Vec::new();

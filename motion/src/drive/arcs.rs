@@ -1,7 +1,7 @@
-//! Following the motion: from piece to piece of h, from event to event.
+//! Following the motion from piece to piece of h.
 //!
-//! On a piece, h is monotone. So the size u = |w| of a moving particle is convex or concave there: it has at
-//! most one extremum, where h meets the friction's level, and its first zero can be bracketed for certain.
+//! On a piece, h is monotone. So the size u = |w| is convex or concave there: it has at most one extremum, where h meets the
+//! friction's level, and its first zero can be bracketed for certain.
 
 use super::{Drive, Friction, intervals::Sign};
 use crate::numerics::{
@@ -96,7 +96,6 @@ impl<'d> Walker<'d> {
         self.lowest
     }
 
-    /// Whether |w| had a minimum indistinguishable from zero.
     pub(super) fn touches(&self) -> bool {
         self.touches
     }
@@ -154,7 +153,6 @@ impl<'d> Walker<'d> {
         self.fresh = false;
     }
 
-    /// On the present piece, through all events there.
     fn finish_piece(&mut self, end: f64, marks: &mut Vec<Mark>) {
         for _ in 0..EVENTS_PER_PIECE {
             let event = match self.sign {
@@ -177,7 +175,6 @@ impl<'d> Walker<'d> {
         }
     }
 
-    /// Before `end`; with the direction in which the rest ends.
     fn leave(&self, end: f64) -> Option<(f64, Sign)> {
         let piece = self.here();
         let (first, last) = self.ends(piece, end);
@@ -215,7 +212,6 @@ impl<'d> Walker<'d> {
         (first, last)
     }
 
-    /// Or to where w vanishes first; with what comes then.
     fn slide(&mut self, end: f64) -> Option<(f64, Sign)> {
         let piece = self.here();
         let (s0, u0, side) = (self.s, self.u, self.sign.factor());

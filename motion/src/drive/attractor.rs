@@ -1,9 +1,8 @@
 //! The periodic motion that a start leads to.
 //!
-//! The velocities of two motions of one drive never move apart and never pass each other, so the return map F of w over a period is
-//! monotone with slope between 0 and 1, and F(w) − w never increases. Newton's method on it, kept inside
-//! the bracket that those signs give, goes to the motion that plain following would reach, only faster; the
-//! last period is always a plain one.
+//! Two motions of one drive never move apart and never pass each other, so the return map F of w over a period is monotone with
+//! slope between 0 and 1, and F(w) − w never increases. Newton's method inside the bracket of those signs goes to the motion that
+//! plain following would reach; the last period is always a plain one.
 
 use super::{
     Drive, DriveError, DriveState, Friction,
@@ -83,8 +82,8 @@ impl Drive {
     /// Cost: at most `max_periods` periods, in each of which every piece of the drive is visited.
     ///
     /// # Errors
-    /// A bad start; a motion that is not periodic after integrating `max_periods` periods. Sliding that
-    /// goes on in one direction is skipped and slow contraction is accelerated, so a few dozen are enough.
+    /// A bad start; a motion that is not periodic after `max_periods` periods. Long sliding is skipped and slow contraction
+    /// accelerated, so a few dozen are enough.
     pub fn attractor(
         &self,
         friction: Friction,
@@ -137,8 +136,7 @@ impl Drive {
                 }
             } else {
                 change = walker.w() - w;
-                // After a rest, whatever was before it is forgotten: the next period repeats this one to the last bits, unless
-                // the rest was no more than an error of the start.
+                // The next period repeats this one to the last bits, unless the rest was no more than an error of the start.
                 let aim = if rate == 0.0 { 0.0 } else { AIM * (1.0 - rate) };
                 let goal = aim.max(ROUNDING) * size;
                 (low, high) = narrowed(low, high, w, change);
@@ -163,8 +161,8 @@ impl Drive {
             }
             let newton = w + change / (1.0 - rate);
             accelerated_at.get_or_insert(w);
-            // Newton's method may go to and fro for ever between the two sides of a kink of the return map: where
-            // the change has not halved since last time, halve the bracket.
+            // Newton's method may go to and fro for ever between the two sides of a kink: where the change has not halved, halve
+            // the bracket.
             let stalls = change.abs() > 0.5 * last;
             last = change.abs();
             w = if newton > low && newton < high && !stalls {
@@ -220,7 +218,6 @@ impl Drive {
     }
 }
 
-/// The bracket of the periodic state, once F(w) − w = `change` is known at `w`.
 fn narrowed(low: f64, high: f64, w: f64, change: f64) -> (f64, f64) {
     if change >= 0.0 {
         (low.max(w), high)
@@ -290,10 +287,9 @@ impl<'d> Attractor<'d> {
         }
     }
 
-    /// One period, in order. It begins, at a phase in [0, 2π), at the end of a rest before a positive
-    /// interval; failing that, at the end of a rest; failing that, where w rises through zero; the first such
-    /// phase, if there are several. Ends are not reduced: they run on to the beginning plus 2π. At rest for
-    /// ever: one interval from 0. Never zero: one interval from the phase of the start.
+    /// One period, in order. It begins, at the first such phase in [0, 2π), at the end of a rest before a positive interval;
+    /// failing that, at the end of a rest; failing that, where w rises through zero. Ends are not reduced. At rest for ever: one
+    /// interval from 0. Never zero: one interval from the phase of the start.
     pub fn intervals(&self) -> &[Interval] {
         &self.intervals
     }
@@ -353,7 +349,6 @@ impl<'d> Attractor<'d> {
         self.w_in(interval, phi)
     }
 
-    /// The velocity at a phase within an interval.
     pub(super) fn w_in(&self, interval: &Interval, phi: f64) -> f64 {
         let shape = self.drive.shape();
         let moved = phi - interval.start;

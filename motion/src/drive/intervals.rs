@@ -88,12 +88,10 @@ pub(super) fn drops_one(marks: &[Mark], until: f64) -> bool {
     })
 }
 
-/// One period that begins, in [0, 2π), at the end of a rest before a positive interval; failing that, at the end of a rest;
-/// failing that, where w rises through zero. Of several, the first in [0, 2π). Without any of these the list keeps its beginning.
+/// As [`Attractor::intervals`](super::Attractor::intervals) are; without a beginning of that kind the list keeps its own.
 pub(super) fn canonical(mut list: Vec<Interval>) -> Vec<Interval> {
     let n = list.len();
     if n > 1 && list[0].sign == list[n - 1].sign {
-        // The last goes on as the first; where it ends is set below.
         list.remove(0);
     }
     let n = list.len();

@@ -21,7 +21,6 @@ pub struct Margins {
     pub hold: f64,
 }
 
-/// A stretch of one piece of h within one interval.
 struct Stretch {
     piece: usize,
     /// From the left end of the piece.

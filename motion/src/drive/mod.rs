@@ -8,8 +8,7 @@
 //!
 //! h pulls the body along +w in the plane's frame: where the plane [accelerates](super) by A, h is −A in units of its size.
 //!
-//! Nothing else is known: h is any function of period 2π, represented once by [`Piecewise`], and every arc,
-//! stop, start and passage through zero is read off that representation. One [`Drive`] serves any number of
+//! h is any function of period 2π, represented once by [`Piecewise`], off which all is read. One [`Drive`] serves any number of
 //! friction pairs.
 //!
 //! # Decisions

@@ -26,9 +26,9 @@ use std::f64::consts::TAU;
 const DEEP: f64 = -50.0;
 /// Logarithms below this would soon leave the range of f64: w_y counts as 0 from there on.
 const LOWEST: f64 = -1e290;
-/// Largest change of a or b in a step, so that an exponential that underflows stays negligible over it.
+/// So that an exponential that underflows stays negligible over a step.
 const LONGEST: f64 = 300.0;
-/// Steps allowed between two of the phases asked for, per period; a period takes about 200.
+/// Between two of the phases asked for, per period; a period takes about 200.
 const STEPS_PER_PERIOD: f64 = 20_000.0;
 
 /// A phase and a velocity in the plane, dimensionless.
@@ -82,7 +82,7 @@ impl Drive {
             if ln_w_y == f64::NEG_INFINITY {
                 at = self.advance(friction, at, phi)?.end;
             } else if let Some(stop) = flight.run_to(phi)? {
-                // At rest at the phase `stop`, and w_y = 0 for ever: from here on it moves on a line.
+                // From here on it moves on a line.
                 let from = if at.phi < stop {
                     DriveState { phi: stop, w: 0.0 }
                 } else {
@@ -206,7 +206,6 @@ impl<'d> Flight<'d> {
         (size.copysign(a - b), 0.5 * (a + b))
     }
 
-    /// Or to the phase before it at which the particle stops.
     fn run_to(&mut self, phi: f64) -> Result<Option<f64>, DriveError> {
         let allowed = STEPS_PER_PERIOD * (1.0 + (phi - self.origin) / TAU);
         let mut steps = 0.0;

@@ -96,7 +96,6 @@ fn neutral_motions_are_said_to_be_neutral() {
         assert!((found.w(PI) - w - 2.0).abs() < 1e-13);
         assert_eq!(found.contraction(), 1.0);
     }
-    // So little friction that it takes more periods than there are numbers.
     let still = Drive::new(|_| 0.0, &[]).unwrap();
     let found = settle(&still, 0.0, 5e-324, DriveState { phi: 0.0, w: -0.9 });
     assert_eq!(found.w(1.0), -0.9);
@@ -256,7 +255,6 @@ fn a_drive_that_comes_back_to_the_friction_at_a_jump_has_stopped_the_motion() {
 
 #[test]
 fn what_touches_zero_where_the_drive_is_back_at_the_level_grazes() {
-    // h = x − 1/2 up to 1, λ = 1/2: w = w₀ − x + x²/2 is w₀ − 1/2 there.
     for side in [1.0, -1.0] {
         let h = move |x: f64| side * if x < 1.0 { x - 0.5 } else { 1.5 };
         let drive = Drive::new(h, &[1.0]).unwrap();

@@ -164,10 +164,9 @@ pub static TASKS: [Task; 23] = [
 /// The unit of a share, a ratio or a logarithm.
 const DIMENSIONLESS: &str = "dimensionless";
 
-/// The two ways have to agree to this, relative to the larger of 1 and the answer, beside the width of an enclosure: a
-/// hundred times what the integrators promise.
+/// Relative to the larger of 1 and the answer, beside the width of an enclosure: a hundred times what the integrators promise.
 const CLOSE: f64 = 1e-10;
-/// The least error that is claimed without an enclosure, relative to the answer.
+/// Claimed without an enclosure, relative to the answer.
 const LEAST: f64 = 1e-13;
 
 impl Task {
@@ -222,7 +221,6 @@ impl Task {
     }
 }
 
-/// The middle of an interval, and how far its ends are from it.
 fn enclosed(interval: Interval) -> (Answer, Option<f64>, Basis) {
     let middle = interval.mid();
     let error = (interval.hi() - middle).max(middle - interval.lo());

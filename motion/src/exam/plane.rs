@@ -6,7 +6,6 @@ use crate::{Launch, MotionError, Plane, Signal, State, run};
 use std::f64::consts::FRAC_PI_2;
 use trialbook::certified::{ball::Ball, enclosure::Enclosure, interval::Interval, root::refine};
 
-/// Of strong friction, launched across the pull.
 const ACROSS: &str = "A block slides on a horizontal plane with friction λ = μg/A = 3/2 under a steady pull A along x (an inclined \
      plane serves as well). It starts at the origin with the speed v₀ along y. Units: A = v₀ = 1.";
 

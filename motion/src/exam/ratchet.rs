@@ -1,7 +1,7 @@
 //! A shaken block whose friction is not the same forward and backward.
 //!
-//! Friction λ₊ forward and λ₋ backward is the same as friction (λ₊ + λ₋)/2 both ways with a steady pull (λ₋ − λ₊)/2 forward: a
-//! tilted tray. So an engine without anisotropic friction can sit these tasks, and a second integrator finds the answers.
+//! Friction λ₊ and λ₋ is the same as (λ₊ + λ₋)/2 both ways with a steady pull (λ₋ − λ₊)/2 forward: a tilted tray, so an engine
+//! without anisotropic friction can sit these tasks.
 
 use super::posed::{self, Ask, Posed, Scan, repeated};
 use super::{Answer, DIMENSIONLESS, ExamError, Other, Task, tray::sine};
@@ -23,7 +23,7 @@ macro_rules! ratchet {
     };
 }
 
-/// q and λ₀, on either side of the borders, in the corners between them and beyond the point Y.
+/// On either side of the borders, in the corners between them and beyond the point Y.
 pub(super) const TEN: [[f64; 2]; 10] = [
     [1.5, 0.3],
     [1.5, 0.55],
@@ -176,7 +176,6 @@ fn order(drive: &Drive, q: f64, lambda: f64) -> Result<String, ExamError> {
         .collect())
 }
 
-/// After these the motion from rest repeats.
 const PERIODS: f64 = 60.0;
 
 fn tilted(q: f64, lambda: f64) -> Result<crate::Motion, ExamError> {

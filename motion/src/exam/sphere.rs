@@ -48,7 +48,6 @@ pub(super) const DRIVEN_SLIP: Task = Task {
     other: fraction!(28 / 33),
 };
 
-/// Until t = 1, solid, without spin, with a pull along x.
 fn thrown(pull: f64, friction: f64, v: [f64; 2]) -> Result<BallMotion, MotionError> {
     let sphere = Sphere {
         mu: friction,

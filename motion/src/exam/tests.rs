@@ -110,7 +110,6 @@ fn two_ways_agree_to_ten_digits_beside_the_width_of_an_enclosure() {
     let two = || Ok(Answer::Number(2.0));
     let certified = |x, error| Some((Answer::Number(x), error, Basis::Certified));
     let integrated = |x, error| Some((Answer::Number(x), error, Basis::Integrated));
-    // The error of an enclosure is how far its ends are from its middle.
     assert_eq!(
         sat(two, Other::Within(|| Ok(Interval::new(1.5, 2.5)))),
         certified(2.0, 0.5)
@@ -174,7 +173,7 @@ fn no_more_digits_are_written_than_are_known() {
     assert_eq!(sat(95.123_456, 3e-3).text(), "95.12");
 }
 
-/// To the interval of the task's answer, and 10⁻⁹ of it, or of 1.
+/// Within the task's interval, and 10⁻⁹ of the answer, or of 1.
 fn holds(answer: &Answer, sat: &Sat) -> bool {
     match (answer, sat.interval()) {
         (Answer::Number(x), Some([lo, hi])) => {
@@ -194,7 +193,6 @@ fn every_scene_gives_the_answer_of_its_task() {
     }
 }
 
-/// By a millionth, so that its number is read.
 #[test]
 fn a_wrong_word_in_a_scene_is_noticed() {
     let mut noticed = 0;

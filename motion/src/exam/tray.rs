@@ -128,7 +128,6 @@ pub(super) const HEAT: Task = Task {
     })),
 };
 
-/// Once in ln v_y and layers that disappear, once in the components of the velocity.
 pub(super) const SIDEWAYS: Task = Task {
     id: "sideways",
     setup: "A block slides on a tray that is shaken along x; in its frame it feels the pull A sin t. Friction is λ₀ = μg/A = 3/10; \

@@ -67,7 +67,7 @@ pub fn map(to: f64) -> Result<Answer, ExplorerError> {
 /// As for [`motion`].
 pub fn film(q: f64, lambda0: f64, w: f64) -> Result<Answer, ExplorerError> {
     let friction = Friction::new(lambda0, q * lambda0)?;
-    // The inertial force is the sine of the phase, so the floor accelerates by its opposite.
+    // The floor accelerates by the opposite of the inertial force.
     tray::film(drive()?, friction, w, |phi| libm::sincos(phi).into())
 }
 

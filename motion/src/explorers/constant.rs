@@ -98,7 +98,6 @@ pub fn film(lambda: f64, theta: f64) -> Result<Answer, ExplorerError> {
     })
 }
 
-/// To rest, or for a while where it never rests.
 fn followed(lambda: f64, theta: f64) -> Result<Motion, MotionError> {
     let launch = Launch::new(lambda, 1.0, 1.0, PI * (theta / 180.0))?;
     if launch.comes_to_rest() {

@@ -1,10 +1,7 @@
 //! What the book's explorers ask: a few numbers in, the values and curves to show out.
 //!
-//! Pictures are drawn in the reader's browser, but computed by this module, compiled to WebAssembly (see `book/explorers`), from
-//! [motions](crate) alone.
-//!
-//! A question is a number of [`QUESTIONS`] with up to four arguments, its answer a list of values and a list of curves, so that
-//! one narrow door serves all.
+//! Pictures are drawn in the reader's browser, but computed by this module, compiled to WebAssembly (see `book/explorers`). A
+//! question is a number of [`QUESTIONS`] with up to four arguments, its answer a list of values and one of curves.
 
 pub mod anisotropic;
 pub mod constant;
@@ -97,7 +94,6 @@ fn flag(truth: bool) -> f64 {
     f64::from(u8::from(truth))
 }
 
-/// `n + 1` numbers at equal distances, from `from` to `to`.
 fn spread(from: f64, to: f64, n: u32) -> impl Iterator<Item = f64> + Clone {
     (0..=n).map(move |i| from + (to - from) * (f64::from(i) / f64::from(n)))
 }

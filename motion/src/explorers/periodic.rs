@@ -6,7 +6,7 @@ use crate::MotionError;
 use crate::drive::{Drive, DriveError, Friction};
 use std::f64::consts::{PI, TAU};
 
-/// And the displacement and the velocity of the floor that it shakes, in the laboratory, at a phase.
+/// The drive, and the displacement and velocity of the floor that it shakes, in the laboratory.
 struct Shaken {
     drive: Drive,
     floor: Box<dyn Fn(f64) -> [f64; 2]>,

@@ -68,7 +68,7 @@ pub struct Columns<'a> {
     pub gaps: bool,
 }
 
-/// A step that is so many times the usual one is a gap: a few rows may have been lost, or passed over.
+/// In usual steps: a few rows may have been lost, or passed over.
 const GAP: f64 = 8.0;
 /// Without a unit a usual step of more seconds is hardly one of an accelerometer,
 const SLOW: f64 = 1.0;
@@ -76,7 +76,6 @@ const SLOW: f64 = 1.0;
 const STRONG: f64 = 200.0;
 /// nor that gravity is this: it is in g.
 const ONE_G: std::ops::Range<f64> = 0.8..1.2;
-/// Among so many lines titles may stand before the head.
 const TITLES: usize = 10;
 
 pub(super) fn rows(text: &str, asked: &Columns) -> Result<Vec<(f64, [f64; 2])>, FitError> {
@@ -149,7 +148,6 @@ fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording,
     let Places { time, axes, bare } = places.map_err(|why| refuse(number, first, why))?;
     let (mut rows, mut normal, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
     let (mut sign, mut clock) = (None, Clock::default());
-    // A line without a value, until it is known whether more follow.
     let mut lost = None;
     for (n, line) in lines {
         let cells = cells(line, separator);
@@ -223,7 +221,6 @@ fn is_empty(cell: &str) -> bool {
     cell.is_empty() || cell.eq_ignore_ascii_case("nan")
 }
 
-/// The cells of a line, without their quotes. Spaces separate however many they are.
 fn cells(line: &str, separator: char) -> Vec<&str> {
     let mut quoted = false;
     line.split(|c| {
@@ -262,7 +259,7 @@ const NO_TIME: &str = "such times are hardly in seconds: their head has to say t
 const SEVERAL: &str =
     "several columns are the acceleration along the same axis: choose of the columns: x=2";
 
-/// Where t, A_x, A_y and A_z stand, and what they have to be multiplied by to be in s and m/s².
+/// And what they have to be multiplied by to be in s and m/s².
 struct Places {
     /// A time of the clock needs no unit.
     time: (usize, Option<f64>),
@@ -314,7 +311,7 @@ fn places(
         Some(name) => find(name)?,
         None if names.is_empty() => 0,
         None => {
-            // One that says that it is in seconds goes before those in other units, and these before those that say none.
+            // Seconds before other units, and these before none.
             let rank = |column: &Column| match seconds(&column.unit) {
                 Some(size) => u8::from(size != 1.0),
                 None => 2,
@@ -472,7 +469,7 @@ impl Column {
             || self.unit.len() > 1 && seconds(&self.unit).is_some()
     }
 
-    /// Whether it is one along this axis, by name or by unit; one along none where no axis is named.
+    /// By name or by unit; along none where no axis is named.
     fn is_acceleration(&self, along: Option<char>) -> bool {
         let axis_of = |word: &String| axis(word).map(|(axis, _)| axis);
         let short = match &self.words[..] {
@@ -500,7 +497,7 @@ fn is_acceleration(word: &str) -> bool {
     word == "gf" || word.ends_with("acc") || ACCELERATION.iter().any(|part| word.contains(part))
 }
 
-/// The axis of a word that is one, or a short form of acceleration with one, and what stands before it.
+/// Of a word that is one, or a short form of acceleration with one; and what stands before it.
 fn axis(word: &str) -> Option<(char, &str)> {
     let axis = word
         .chars()
@@ -566,7 +563,7 @@ pub(super) fn of_acceleration(unit: &str) -> Option<f64> {
     })
 }
 
-/// The standard acceleration of gravity, in m/s².
+/// In m/s².
 pub(crate) const G: f64 = 9.806_65;
 
 #[cfg(test)]

@@ -51,7 +51,7 @@ fn loose(sensor: &Sensor, pieces: &[Piece], slip: &Piece) -> Option<(f64, f64)> 
     let mut before = pieces[..at].iter().rev();
     let long = before.find(|piece| piece.to - piece.from > BLOCK);
     let long = long.filter(|rest| rest.to + 2 * BLOCK >= slip.from);
-    // A steep rise has hardly any rows; and what bends is cut into the shortest pieces where there is hardly any noise.
+    // A steep rise has hardly any rows; and what bends is cut into the shortest pieces without noise.
     let short = slip.from.checked_sub(3 * BLOCK).map(|from| {
         let to = slip.from - BLOCK;
         let line = sensor.line([from, to]);
@@ -62,7 +62,6 @@ fn loose(sensor: &Sensor, pieces: &[Piece], slip: &Piece) -> Option<(f64, f64)> 
         let [begin, end] = [rest.from, rest.to - 1].map(|k| rest.line.at(sensor.t[k]));
         !(begin > RISE * level && end < level / RISE) && rest.line.slope() > 0.0
     })?;
-    // The longest curve that serves its rows, or the shortest.
     let tried = [MOST, MOST / 4, MOST / 16, 2 * BLOCK].map(|most| broke(sensor, &rest, slip, most));
     let fits = |one: &&(f64, f64, f64, usize)| one.2 < FITS;
     let all = || tried.iter().flatten();
@@ -78,8 +77,7 @@ fn loose(sensor: &Sensor, pieces: &[Piece], slip: &Piece) -> Option<(f64, f64)> 
     (same && value + 3.0 * error > level && error < part * value).then_some((value, variance))
 }
 
-/// By at most so many last rows of a rest; with its variance, by how much more than noise the rows are off, and the first one
-/// that slips.
+/// By the last rows of a rest; with its variance, by how much more than noise the rows are off, and the first row that slips.
 fn broke(
     sensor: &Sensor,
     rest: &Piece,

@@ -65,7 +65,6 @@ impl Line {
     }
 }
 
-/// Least squares, one row after the other.
 #[derive(Clone, Copy)]
 pub(super) struct Squares<const N: usize> {
     pub found: [f64; N],
@@ -137,8 +136,7 @@ impl Piece {
     }
 }
 
-/// With the variance of the noise where there is least of it. Neighbours stay apart that are less likely one by a factor
-/// exp(`penalty`/2). O(n log n).
+/// Neighbours stay apart that are less likely one by a factor exp(`penalty`/2). O(n log n).
 pub(super) fn cut(t: &[f64], y: &[f64], noise: f64, penalty: f64) -> Vec<Piece> {
     let n = t.len();
     let block = |k: usize| {

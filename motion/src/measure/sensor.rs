@@ -8,7 +8,7 @@ use crate::fitted::Recording;
 
 /// After the year 2100, counted in seconds from 1970.
 const LATEST: f64 = 1e10;
-/// How long a stretch has to be quiet to be a rest, in s, and how many rows it has.
+/// In s and in rows.
 const QUIET: f64 = 0.25;
 const QUIET_ROWS: usize = 16;
 const QUIETER: f64 = 3.0;
@@ -165,7 +165,7 @@ impl Sensor {
         self.noise / (self.n[row] * self.n[row])
     }
 
-    /// Whether two ratios may be one: to and fro they differ by what is unknown of the zeros.
+    /// To and fro they differ by what is unknown of the zeros.
     pub(crate) fn near(&self, a: f64, b: f64) -> bool {
         let zeros = 4.0 * libm::sqrt(self.doubt) / self.n[0];
         (a - b).abs() < SAME * 0.5 * (a + b) + zeros
@@ -181,7 +181,7 @@ impl Sensor {
         (median(rows.map(|k| self.size(k))), variance)
     }
 
-    /// What is felt at rest, and its variance: g, or nearly that in one of these plateaus, where z has an unknown zero.
+    /// With its variance: g, or nearly that in one of these plateaus, where z has an unknown zero.
     pub(crate) fn weight(&self, plateaus: &[Piece]) -> (f64, f64) {
         let off = |felt: &(f64, f64)| (felt.0 - self.g).powi(2);
         let long = plateaus
@@ -193,8 +193,8 @@ impl Sensor {
         best.unwrap_or((self.g, self.doubt_across))
     }
 
-    /// Whether plateaus may be a rest on a tilted floor, where `weight` is felt: (g sin, g cos) is of one size. A slip has more
-    /// on level floor, and less where it began with a drop from the ratio `top` on a slope.
+    /// A rest on a tilted floor, where `weight` is felt: (g sin, g cos) is of one size. A slip has more on level floor, and less
+    /// where it began with a drop from the ratio `top` on a slope.
     pub(crate) fn may_rest(&self, plateaus: &[Piece], top: f64, weight: (f64, f64)) -> bool {
         let all = plateaus
             .iter()
@@ -280,7 +280,7 @@ fn windows(t: &[f64], f: &[[f64; 2]]) -> Vec<Window> {
     (0..t.len() / rows).map(window).collect()
 }
 
-/// Variance of the noise where no window is quiet: by third differences, in which hardly a motion is left.
+/// Variance of the noise where no window is quiet, by third differences.
 fn jitter(f: &[[f64; 2]], axes: f64) -> f64 {
     let third = |k: &[[f64; 2]], i: usize| k[3][i] - k[0][i] + 3.0 * (k[1][i] - k[2][i]);
     let sizes = f
@@ -290,8 +290,7 @@ fn jitter(f: &[[f64; 2]], axes: f64) -> f64 {
     median(sizes) / (20.0 * if axes > 1.0 { 1.386 } else { 0.455 })
 }
 
-/// Variance of the noise where it is quiet, and by what it multiplies that of a mean that neighbours are alike, as behind a
-/// filter.
+/// Variance of the noise, and by what it multiplies that of a mean that neighbours are alike, as behind a filter.
 fn quiet(windows: &[Window], axes: f64, rough: f64, most: f64) -> (f64, f64) {
     let (mut rows, mut next, mut left) = (0.0, 0.0, 0.0);
     // Third differences of what is alike are small.
@@ -312,7 +311,7 @@ fn quiet(windows: &[Window], axes: f64, rough: f64, most: f64) -> (f64, f64) {
     (left / rows, (1.0 + part) / (1.0 - part))
 }
 
-/// Its variance: of the least step, if most are whole numbers of it, or of a decimal place behind which there is nothing.
+/// Variance of the least step, if most are whole numbers of it, or of a decimal place behind which there is nothing.
 fn digit(f: &[[f64; 2]]) -> f64 {
     let of_axis = |i: usize| {
         let steps = f.windows(2).map(|pair| (pair[1][i] - pair[0][i]).abs());
@@ -335,7 +334,7 @@ fn digit(f: &[[f64; 2]]) -> f64 {
     of_axis(0).max(of_axis(1)).max(place)
 }
 
-/// The rows of quiet stretches with the same small mean as the longest.
+/// Of quiet stretches with the same small mean as the longest.
 fn rests(windows: &[Window], noise: f64, alike: f64, most: f64) -> Vec<usize> {
     let still = |window: &Window| window.is_still(noise, alike, most);
     let mut found: Vec<Window> = Vec::new();

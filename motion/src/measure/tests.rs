@@ -24,7 +24,7 @@ impl Random {
         size * libm::cos(TAU * self.unit())
     }
 
-    /// With zeros that are off, a last digit, and noise of which neighbours have a part in common.
+    /// Zeros are off, neighbours have a part of the noise in common.
     fn record(&mut self, alike: f64, until: f64, force: impl Fn(f64) -> [f64; 3]) -> Recording {
         let rate = self.one([100.0, 200.0, 500.0]);
         let noise = 0.01 * libm::exp(self.between(0.0, libm::log(30.0)));
@@ -50,7 +50,6 @@ impl Random {
 
 type Case = (Recording, f64, f64);
 
-/// By the engine; the sensor feels the friction.
 fn tray(random: &mut Random, alike: f64) -> Case {
     let mu = random.between(0.15, 0.6);
     let (size, across) = (mu * G * random.between(1.3, 2.5), random.between(0.0, 0.4));
@@ -84,7 +83,7 @@ fn tray(random: &mut Random, alike: f64) -> Case {
     (random.record(alike, end, force), mu, mu)
 }
 
-/// To and fro, and it slides until it stops; `rising` is the part by which μ is greater in the end, `other` μ on the way back.
+/// `rising` is the part by which μ is greater in the end, `other` μ on the way back.
 fn pushed(random: &mut Random, alike: f64, rising: f64, other: f64) -> Case {
     let mu = random.between(0.15, 0.6);
     let (push, speed) = (random.between(0.1, 0.3), random.between(1.5, 2.5));
@@ -95,7 +94,6 @@ fn pushed(random: &mut Random, alike: f64, rising: f64, other: f64) -> Case {
         let (along, mu) = if back { (-1.0, other * mu) } else { (1.0, mu) };
         let x = match t % period - 0.5 {
             s if s < 0.0 || s > push + slide => 0.0,
-            // The body gets faster by the speed while it is pushed against friction.
             s if s < push => speed / push * (1.0 - libm::cos(TAU * s / push)),
             s => -mu * G * (1.0 + rising * (s - push) / slide),
         };
@@ -237,7 +235,7 @@ fn exact(noise: f64, until: f64, mut force: impl FnMut(f64) -> [f64; 2]) -> Reco
     Recording { rows, normal }
 }
 
-/// With μ_k = 0.3 and μ_s = 0.4 on a tilted floor, shaken along itself after a second: by steps of 0.1 ms.
+/// μ_k = 0.3 and μ_s = 0.4 on a tilted floor, shaken after a second: by steps of 0.1 ms.
 fn shaken(noise: f64, tilt: f64) -> Recording {
     let (n, mut v, mut now) = (G * libm::cos(tilt), 0.0_f64, 0.0);
     exact(noise, 6.0, |t| {
@@ -293,7 +291,6 @@ fn a_rest_on_a_tilted_floor_is_no_slip() {
         assert_eq!(found.tilted, tilt > 0.0 && tilt < 0.05);
         assert!(found.assumed().unwrap().contains("slid"));
     }
-    // Raised and held, and let down to half of that.
     for (noise, steepest, down) in [
         (0.02, 0.2, 9.0),
         (0.02, 0.1, 9.0),

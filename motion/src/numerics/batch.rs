@@ -1,11 +1,10 @@
-//! Taylor steps of several independent motions at once, one in each lane, each with a step length of its own.
+//! Taylor steps of several independent motions at once, one in each lane, each with its own step.
 //!
-//! The [`System`] is that of a single motion. What a single motion's integrator does more carefully (sums with a
-//! carry, every component by itself) is left out here: a batch is for nine digits of many motions.
+//! Without sums with a carry: for nine digits of many motions.
 
 use trialbook::numerics::{lanes::Lanes, series::change, taylor::System};
 
-/// The series of `D` components to `N` terms, of `L` motions about where they are.
+/// `D` components to `N` terms, of `L` motions about where they are.
 #[derive(Debug, Clone)]
 pub(crate) struct Batch<const D: usize, const N: usize, const L: usize> {
     series: [[Lanes<L>; N]; D],
@@ -40,8 +39,7 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
         }
     }
 
-    /// How far each series may be trusted: as far as its last two terms are below `2^tolerance` times the largest
-    /// component (at least 2⁻¹⁰⁰), to within a tenth.
+    /// As far as its last two terms are below `2^tolerance` times the largest component (at least 2⁻¹⁰⁰), to within a tenth.
     #[inline(always)]
     pub(crate) fn reach(&self, tolerance: f64) -> Lanes<L> {
         let size = self.size(0) + Lanes::all(tolerance);

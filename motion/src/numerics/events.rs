@@ -1,8 +1,7 @@
 //! When a function that is known by its series over a step is zero.
 //!
-//! The extrema of the series, found by the crate `polycool`, cut the step into pieces on which the function
-//! rises or falls; on each the [bracketing root-finder](super::roots) finishes. An extremum that is zero within
-//! rounding is a root too: there the function only touches zero.
+//! The extrema of the series, found by the crate `polycool`, cut the step into pieces on each of which the [bracketing
+//! root-finder](super::roots) finishes. An extremum that is zero within rounding is a root too.
 
 use polycool::PolyDyn;
 use trialbook::numerics::{error::NumericsError, roots::root, series::value};
@@ -75,8 +74,8 @@ pub fn roots(series: &[f64], h: f64) -> Result<Vec<Root>, NumericsError> {
     nodes.push(1.0);
     let at = |u: f64| value(&scaled, &u);
     let mut found = Vec::new();
-    // The last node at which the function is surely not zero lies on the side `before` of zero; `zero` is a node
-    // since then at which it is zero within rounding.
+    // The function is surely not zero at `a`, on the side `before` of zero; `zero` is a node since then at which it is zero
+    // within rounding.
     let (mut a, mut before, mut zero) = (0.0, scaled[0], None);
     for b in nodes {
         let y = at(b);
@@ -119,8 +118,7 @@ pub fn roots(series: &[f64], h: f64) -> Result<Vec<Root>, NumericsError> {
 /// Relative size of last terms that no value notices.
 const NEGLIGIBLE: f64 = 1e-20;
 
-/// Whether its Bernstein coefficients on [0, 1] are of one sign by more than rounding: then so are its values. It may be so
-/// without this being seen.
+/// By more than rounding, seen from the Bernstein coefficients on [0, 1]; it may be so without this being seen.
 fn keeps_sign(polynomial: &[f64]) -> bool {
     // b_j = Σ C(j, i)/C(n, i) a_i, i ≤ j: the sums of a triangle of a_i/C(n, i), row by row.
     let n = polynomial.len().saturating_sub(1);

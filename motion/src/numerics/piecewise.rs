@@ -1,9 +1,8 @@
 //! A function of period 2π, known only point by point, as a chain of short polynomials.
 //!
-//! [`Piecewise::fit`] cuts the period at the given jumps and kinks, halves every part until a Chebyshev interpolant of low degree
-//! meets the function to rounding, and cuts once more where the slope changes sign: every piece is monotone, and its
-//! antiderivative exact. Polynomials are in powers of the distance from the left end of their piece, so that integrals over short
-//! distances keep their relative accuracy.
+//! [`Piecewise::fit`] halves the period, cut at jumps and kinks, until Chebyshev interpolants of low degree meet the function to
+//! rounding, and cuts where the slope changes sign: every piece is monotone, and its antiderivative exact. Polynomials are in
+//! powers of the distance from the left end of their piece, so that integrals over short distances keep their relative accuracy.
 
 mod chebyshev;
 mod piece;
@@ -40,29 +39,29 @@ pub enum PiecewiseError {
     },
 }
 
-/// Shortest part, as a share of the period, that is still halved.
+/// Still halved, as a share of the period.
 const SHORTEST: f64 = 1e-12;
-/// Most parts that a function may need; one that needs more oscillates too fast, or is noise.
+/// What needs more oscillates too fast, or is noise.
 const MOST_PARTS: usize = 1 << 14;
-/// Largest value: high divided differences of it, on the shortest part, are still numbers.
+/// High divided differences of it, on the shortest part, are still numbers.
 const LARGEST: f64 = 1e100;
 /// Breaks closer than this (radians) count as one.
 const SAME_BREAK: f64 = 1e-13;
-/// Half the spacing of numbers near 2π: arguments are known no better.
+/// Half the spacing of numbers near 2π.
 const ARGUMENT: f64 = 4.5e-16;
-/// Points per part at which the size of the function is first estimated.
+/// Points per part for the first estimate of the size.
 const SURVEY: usize = 64;
 
-/// Where the function is asked besides: twice in the narrowest feature that is never missed, a thousandth of the period.
+/// Twice in the narrowest feature that is never missed, a thousandth of the period.
 const PROBES: usize = 2048;
-/// What a polynomial may miss there, as a share of the largest value: far more than rounding, far less than a feature.
+/// As a share of the largest value: far more than rounding, far less than a feature.
 const MISSED: f64 = 1e-12;
 
 /// A function of period 2π as a chain of monotone polynomials.
 #[derive(Debug, Clone)]
 pub struct Piecewise {
     pieces: Vec<Piece>,
-    /// For each of equally wide cells of the period, the piece in which the cell begins.
+    /// The piece in which each of equally wide cells of the period begins.
     cells: Vec<usize>,
     size: f64,
     integral: f64,
@@ -191,7 +190,7 @@ fn edges(breaks: &[f64]) -> Result<Vec<f64>, PiecewiseError> {
     Ok(edges)
 }
 
-/// Halves [a, b] until the interpolants fit, then cuts at the extrema; appends the fits in order.
+/// Until the interpolants fit, then cuts at the extrema; appends the fits in order.
 fn refine(
     function: &impl Fn(f64) -> Result<f64, PiecewiseError>,
     probes: &[(f64, f64)],

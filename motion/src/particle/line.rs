@@ -38,7 +38,6 @@ const HELD: f64 = 4.0 * f64::EPSILON;
 /// A part of a velocity across the line that is rounding.
 const ACROSS: f64 = 1e-14;
 
-/// The way, and the acceleration at first.
 type Release = (f64, f64);
 
 impl Line {
@@ -123,7 +122,7 @@ impl Line {
         if way > 0.0 { self.plus } else { self.minus }
     }
 
-    /// Until the pull outgrows friction in a direction; nothing if it does not before the end.
+    /// Nothing if the pull does not outgrow friction before the end.
     fn hold(&self, run: &mut Run<'_>) -> Result<Option<Release>, MotionError> {
         while run.state.t < run.until {
             let local = run.local()?;
@@ -164,7 +163,6 @@ impl Line {
                 run.push(Piece::Rest { from: t, x }, rest);
             }
             if let Some((_, way)) = first {
-                // Zero where friction holds no more than it brakes.
                 let Friction { kinetic, holding } = self.friction(way);
                 return Ok(Some((way, way * (holding - kinetic))));
             }
@@ -256,7 +254,6 @@ mod tests {
                 let lost = 0.5 * (v * v - end * end) + pull * led;
                 assert!((heat - lost).abs() < 1e-12 * (1.0 + way), "{heat} {lost}");
             }
-            // There until 3/(1 + 5/2), and back against 2.
             let (_, way, heat, motion) = go(vec![-2.5], 3.0);
             let stop = 3.0 / 3.5;
             let (there, back) = (1.5 * stop, 0.25 * (9.0 - stop) * (9.0 - stop));

@@ -30,7 +30,6 @@ impl Run<'_> {
         let size = libm::hypot(local.a[0][0], local.a[1][0]);
         let (e, along, across) = pull(&local.a, size);
         let net = match release {
-            // Zero where friction holds no more than it brakes.
             Release::Smooth => self.holding - self.friction,
             Release::Sudden => size - self.friction,
         };

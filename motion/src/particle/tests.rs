@@ -27,7 +27,6 @@ fn one_dimension_by_hand() {
     assert_eq!(motion.stops().len(), 1);
     near(motion.stops()[0], 2.0, 4e-15);
     assert_eq!(motion.starts(), motion.stops());
-    // A stop parts two slides, however short it is.
     let slides = motion.phases().iter().map(|p| (p.kind, p.from, p.to));
     let stop = motion.stops()[0];
     assert!(slides.eq([(PhaseKind::Slide, 0.0, stop), (PhaseKind::Slide, stop, 6.0)]));
@@ -50,7 +49,7 @@ fn one_dimension_by_hand() {
         );
         assert_eq!(motion.end().v, [0.0; 2]);
     }
-    // With the pull at λ = 1: goes on for ever at the same speed.
+    // λ = 1: the same speed for ever.
     let motion = go(&plane, 1.0, [3.0, 0.0], 1e9);
     assert_eq!((motion.first_stop(), motion.end().v), (None, [3.0, 0.0]));
     let slow = (1.0 + 1e-9) - 1.0;
@@ -68,7 +67,7 @@ fn nearly_against_the_pull() {
     let near_by = go(&plane, 0.5, [-3.0, 3e-12], 6.0);
     assert!(near_by.stops().is_empty());
     assert!((near_by.end().v[0] - exact.v[0]).abs() < 1e-11 && near_by.end().v[1] > 0.0);
-    // With λ > 1 both stop, at times that differ by the order of the offset squared.
+    // Both stop, at times that differ by the order of the offset squared.
     let exact = go(&plane, 1.5, [-3.0, 0.0], 6.0).first_stop().unwrap();
     let near_by = go(&plane, 1.5, [-3.0, 3e-12], 6.0).first_stop().unwrap();
     near(near_by, exact, 1e-14);
@@ -126,7 +125,7 @@ fn scaled_by_powers_of_two_bit_for_bit() {
 
 #[test]
 fn a_turning_pull_that_is_just_held_is_held() {
-    // |A| = μg at all times: what rounding makes of the derivatives of |A|² sets nothing off. A little more does.
+    // What rounding makes of the derivatives of |A|² sets nothing off. A little more does.
     for k in 0..20 {
         let starts = |amplitude, until| {
             let plane = Plane::rotating(Signal::constant(amplitude), 2.0, 0.3 * f64::from(k));
@@ -156,8 +155,8 @@ fn the_next_jump_is_found_from_just_before_each() {
 
 #[test]
 fn jumps_are_met_exactly() {
-    // ±1 for a time 1 each, μg = 1/4, from rest at the jump to +1: v = −3/4 t, then slows at 5/4 to rest at 1.6,
-    // then the other way at 3/4 until 2: +0.3; there slows at 5/4 until 2.24.
+    // From rest at the jump to +1: v = −3/4 t, then slows at 5/4 to rest at 1.6, then the other way at 3/4 until 2: +0.3; there
+    // slows at 5/4 until 2.24.
     let square = Plane::along(
         [1.0, 0.0],
         Signal::Square {
@@ -231,7 +230,6 @@ fn bad_input_is_named() {
         name(motion.first_along([0.0, 0.0]).map(|_| motion.clone())),
         "length of direction"
     );
-    // Too many steps are an error, not a hang.
     let busy = Plane::along(
         [1.0, 0.0],
         Signal::Square {
@@ -300,8 +298,7 @@ fn a_slip_takes_as_many_steps_however_slow_it_is() {
     }
 }
 
-/// Short steps, each with the friction that brings closest to rest and no more than it has, halved until the difference tells how
-/// far they are from the motion.
+/// Each with the friction that brings closest to rest, halved until the difference tells how far they are from the motion.
 #[test]
 fn a_noisy_record_moves_a_block_as_short_steps_do() {
     for seed in 0..4 {
@@ -362,7 +359,6 @@ fn pieces_join_and_series_in_time_obey_the_law() {
             };
             for i in 0..2 {
                 let off = (begin[i] - before[i]).abs();
-                // A piece that ends below rounding is followed by rest.
                 let speed = libm::hypot(begin[0], begin[1]);
                 let allowed = if speed > 0.0 { 1e-13 * speed } else { 1e-18 };
                 assert!(off <= allowed, "{begin:?} {before:?}");

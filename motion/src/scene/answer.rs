@@ -64,8 +64,9 @@ impl Moment {
 }
 
 impl Scene {
-    /// As [`run`](Self::run), with how far each number of the end may be off: by what changes with the last digits of friction
-    /// and velocity, by the integrator's own error, and by what the error of a recording may do, which for times and spins is taken to be that of as large a change of friction. Cost: twice that.
+    /// As [`run`](Self::run), with how far each number of the end may be off: by the last digits of friction and velocity, by the
+    /// integrator, and by the error of a recording, which for times and spins is taken to be that of as large a change of
+    /// friction. Cost: twice that.
     ///
     /// # Errors
     /// As for [`run`](Self::run).

@@ -15,13 +15,12 @@ pub struct Part(Kind);
 
 #[derive(Debug, Clone)]
 enum Kind {
-    /// A pull on what lies there, piece after piece along one direction.
     Pull { along: [f64; 2], pieces: Vec<Piece> },
-    /// The floor's acceleration as it was recorded; the record's x axis points along this.
+    /// The record's x axis points along this.
     Record { along: [f64; 2], fitted: Fitted },
 }
 
-/// A pull until a time, as a formula in t whose number is `size` times too small.
+/// Until a time, as a formula in t whose number is `size` times too small.
 #[derive(Debug, Clone)]
 struct Piece {
     formula: Formula<f64>,
@@ -100,7 +99,6 @@ impl Part {
         }
     }
 
-    /// The pull, if it is one and the same at all times.
     pub(super) fn steady_pull(&self) -> Option<[f64; 2]> {
         match &self.0 {
             Kind::Pull { along, pieces } => match &pieces[..] {
@@ -120,7 +118,7 @@ impl Part {
         }
     }
 
-    /// Up to a time; a function has no pulse shorter than `width`.
+    /// A function has no pulse shorter than `width`.
     fn spans(
         &self,
         [from, to]: [f64; 2],
@@ -253,7 +251,6 @@ impl Floor {
         known
     }
 
-    /// If it is one for all times from `t` on.
     pub(super) fn steady(&self, t: f64) -> Option<[f64; 2]> {
         let [mut x, mut y] = [0.0; 2];
         for span in self.spans.iter().filter(|span| span.until > t) {

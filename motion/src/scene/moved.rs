@@ -56,7 +56,7 @@ pub struct Moved {
     followed: Followed,
     from: f64,
     to: f64,
-    /// The heat on each kilogram for each metre of sliding.
+    /// Per kilogram and metre of sliding.
     friction: f64,
     drive_error: f64,
 }
@@ -71,7 +71,7 @@ enum Followed {
 
 /// Of a ball that has none.
 const LEAST: f64 = 1e-50;
-/// Each time as much longer is looked for an end that does not come.
+/// An end that does not come is looked for in a time as many times longer.
 const LONGER: f64 = 4.0;
 
 pub(super) fn moved(scene: &Scene, until: Until, floors: &Floors) -> Result<Moved, SceneError> {
@@ -263,7 +263,7 @@ impl<'a> Made<'a> {
             }
         };
         let friction = brake * self.scene.friction();
-        // What moves straight against the pull turns round within that time; the rest of what is pulled so hard never stops.
+        // It turns round within that time; the rest of what is pulled so hard never stops.
         let turned = (moved.to - self.from) * (pull + friction) > speed + slip;
         Ok((pull >= friction && (turned || pull + friction == 0.0)).then_some(why))
     }
@@ -359,7 +359,7 @@ impl<'a> Made<'a> {
         self.scene.holding.max(mu) * self.scene.normal()
     }
 
-    /// Since when it is at rest for good, if it is at the end of this motion.
+    /// If it is at the end of this motion.
     fn at_rest(&self, moved: &Moved) -> Result<Option<f64>, SceneError> {
         let since = match moved.events().last() {
             Some(Event {
@@ -458,8 +458,7 @@ impl Moved {
         self.at(Second(self.from))
     }
 
-    /// How far velocity, place and heat may be off for the error of the floor's motion: friction lets no two motions part faster
-    /// than their pulls. And that error, as a part of friction.
+    /// Friction lets no two motions part faster than their pulls. Last that error, as a part of friction.
     pub(super) fn by_drive(&self, end: &Moment) -> [f64; 4] {
         let time = end.t.0 - self.from;
         let velocity = std::f64::consts::SQRT_2 * self.drive_error * time;
@@ -522,7 +521,6 @@ impl Moved {
             (0.0..=1e6 + 0.5).contains(&count),
             "positive, a millionth of the time or more",
         )?;
-        // The last one is the end, if it is not within rounding of it.
         let whole = libm::ceil(count * (1.0 - 1e-12)) as u32;
         let times = (0..whole).map(|k| self.from + f64::from(k) * step.0);
         let tracks = self.tracks()?;

@@ -10,7 +10,7 @@ use std::{fmt, str::FromStr};
 /// Of metre, second and kilogram.
 type Dimension = [i8; 3];
 
-/// With their size in SI. Angles and turns have no dimension; g is that of the Earth.
+/// With size in SI. Angles and turns have no dimension.
 const UNITS: [(&str, f64, Dimension); 31] = [
     ("m", 1.0, [1, 0, 0]),
     ("km", 1e3, [1, 0, 0]),
@@ -66,7 +66,7 @@ fn unit(text: &str) -> Option<(f64, Dimension)> {
     Some((size, dimension))
 }
 
-/// Of the dimension of `si`; a plain number is in SI. Its value and the unit's size; `value` reads a number, and `what` says what
+/// `si` has the dimension; a plain number is in SI. Its value and the unit's size; `value` reads a number, and `what` says what
 /// it is to be.
 pub(super) fn read<T>(
     what: &'static str,

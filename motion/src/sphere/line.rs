@@ -1,7 +1,7 @@
 //! A sphere that moves along x on a plane whose friction depends on the way in which it slides (section 3.4).
 //!
-//! Newton's and Euler's laws as for any sphere: while its lowest point slides forwards, friction is −μ₊mg, while it
-//! slides backwards, +μ₋mg; it rolls while the force that this takes lies between the two.
+//! While its lowest point slides forwards, friction is −μ₊mg, backwards +μ₋mg; it rolls while the force that this takes lies
+//! between.
 
 use super::{
     super::acceleration::{Acceleration, Coefficients, known, most_steps},
@@ -121,7 +121,6 @@ impl Directed {
         Err(MotionError::Steps { limit, t: state.t })
     }
 
-    /// Its way, and the way in which sliding begins at its end.
     fn piece(
         &self,
         plane: &dyn Acceleration,
@@ -389,7 +388,6 @@ mod tests {
 
     #[test]
     fn a_velocity_beyond_all_numbers_is_an_error() {
-        // At |A| = 10²⁹⁹ its angular velocity is still a number.
         let directed = Directed {
             sphere: Sphere {
                 mass: 1e50,

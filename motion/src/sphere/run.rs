@@ -14,15 +14,15 @@ use crate::numerics::{
     taylor::{Control, Integrator, Step, TERMS, reach},
 };
 
-/// A contact velocity below this part of the largest one ends sliding.
+/// As a part of the largest contact velocity.
 const STOP: f64 = 1e-18;
-/// So does one below this part where rolling holds what sliding does not: on the way straight to zero rounding turns it by then.
+/// So does one below this part where rolling holds what sliding does not: rounding turns it by then.
 const STILL: f64 = 1e-12;
-/// At the start, below this part of the velocities of which it is the sum, it is zero.
+/// As a part of the velocities of which it is the sum at the start.
 const NONE: f64 = 1e-14;
-/// A component of it below this part of the other is zero, before it underflows.
+/// As a part of the other component, before it underflows.
 const NEGLIGIBLE: f64 = 1e-90;
-/// The force needed for rolling and μ_s mg count as equal to this relative precision of their squares.
+/// For the squares of the force needed for rolling and μ_s mg.
 const EQUAL: f64 = 1e-13;
 
 struct Run<'a> {
@@ -37,7 +37,7 @@ struct Run<'a> {
     pieces: Vec<Piece>,
     transitions: Vec<Transition>,
     begin: Option<Contact>,
-    /// Rolling has just ended as the pull outgrew friction: what the rounding of the time makes of that is nothing.
+    /// Then what the rounding of the time makes of the pull is nothing.
     released: bool,
 }
 
@@ -239,7 +239,7 @@ impl Run<'_> {
                 && libm::hypot(local.a[0][0], local.a[1][0])
                     <= self.sphere.yielding(self.rough.friction());
             if self.slip() <= STOP * fastest || still {
-                // What is left of the time is below the rounding of the time that sliding took.
+                // Below the rounding of the time that sliding took.
                 (self.parts[7], self.parts[8]) = (0.0, 0.0);
                 return Ok(());
             }
@@ -247,7 +247,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// From zero contact velocity: rolls for a while, or begins to slide.
+    /// Rolls for a while, or begins to slide.
     fn leave_rest(&mut self) -> Result<(), MotionError> {
         let local = self.local()?;
         let give = self.sphere.yielding(1.0);
@@ -300,7 +300,6 @@ impl Run<'_> {
     /// If that is left, with a contact velocity known by its series.
     fn slip_by(&mut self, local: &Local, c: &[Coefficients; 2], h: f64) {
         let give = self.sphere.yielding(1.0);
-        // The force that the plane must exert for c to change as it does.
         let force = [0, 1].map(|i| {
             std::array::from_fn(|k| {
                 let rate = c[i].get(k + 1).map_or(0.0, |next| (k + 1) as f64 * next);
@@ -315,7 +314,6 @@ impl Run<'_> {
         self.follow(&local.a, &force, c, h, landing);
     }
 
-    /// A piece over the time `h` under a known force.
     fn follow(
         &mut self,
         a: &[Coefficients; 2],

@@ -6,7 +6,6 @@ use crate::numerics::{
     taylor::{System, TERMS},
 };
 
-/// About a time at which the acceleration is known.
 pub(super) struct Sliding<'a> {
     sphere: &'a Sphere,
     /// A about the beginning of the step, as series in t.

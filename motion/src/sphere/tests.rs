@@ -28,8 +28,7 @@ fn still() -> Plane {
     Plane::constant([0.0; 2])
 }
 
-/// As one that friction holds with what it has on that point, slow slips and noise included; late in a record too, where times
-/// are rounded by more than forces.
+/// As one that friction holds with what it has on that point; late in a record too, where times are rounded by more than forces.
 #[test]
 fn the_lowest_point_moves_as_a_block() {
     let sphere = Sphere {
@@ -90,7 +89,6 @@ fn a_ball_set_down_sliding_ends_rolling() {
             (first.t - time).abs() < 1e-13 && first.to == Contact::Rolling,
             "{first:?}"
         );
-        // Sliding: uniformly decelerated; rolling: steady.
         let way = 5.0 * time - 0.5 * 0.35 * 9.81 * time * time + 5.0 * part * (5.0 - time);
         assert!((libm::hypot(end.x[0], end.x[1]) - way).abs() < 1e-12);
         let expected = sphere.rolling(end.v, 2.0);
@@ -254,7 +252,7 @@ fn what_a_start_is_counts_from_the_start() {
         let motion = sphere.run(&still(), &ball(v, [0.0; 3]), 0.0).unwrap();
         assert_eq!(motion.contact(0.0).unwrap(), contact);
     }
-    // A plane that is too rough to roll on makes it slide from the start: nothing changes after that.
+    // Nothing changes where it slides from the start.
     for plane in [
         Plane::constant([3.6, 0.0]),
         Plane::rotating(Signal::constant(4.0), 1.0, 0.3),
@@ -282,7 +280,7 @@ fn a_contact_velocity_counts_beside_the_velocities_of_which_it_is_the_sum() {
 
 #[test]
 fn a_pull_at_the_limit_that_hardly_grows_is_rolled_on() {
-    // A = 3.5 μg at the start. Within 10⁻⁸ it grows by 10⁻¹⁴, which is below rounding; within 1 it is not.
+    // Within 10⁻⁸ A grows by 10⁻¹⁴, which is below rounding; within 1 it is not.
     let sphere = Sphere::with_kappa(0.4);
     let plane = Plane::along([1.0, 0.0], Signal::Polynomial(vec![3.5, 1e-6]));
     for (until, contact) in [(1e-8, Contact::Rolling), (1.0, Contact::Sliding)] {
@@ -363,8 +361,8 @@ fn it_is_let_go_however_long_it_has_rolled() {
     }
 }
 
-/// Rolling takes a friction of A/(bg) = 6/5, b = 7/2. Thrown against the pull it stops to slide after |c|/(bμg + A); then it
-/// rolls if static friction is 5/4, and slips back if it is 11/10.
+/// Thrown against a pull that needs 6/5 for rolling, it stops to slide after |c|/(bμg + A), b = 7/2; then it rolls if static
+/// friction is 5/4, and slips back if it is 11/10.
 #[test]
 fn what_has_stopped_to_slide_rolls_as_long_as_static_friction_holds() {
     let sphere = Sphere {

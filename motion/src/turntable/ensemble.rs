@@ -1,6 +1,5 @@
 //! Many particles on the table at once: each is followed until it rests, is far out, or its time is up. Eight share a vector
-//! register, and one that has ended makes room for the next. One that comes so close to the border of rest and escape that these
-//! steps are too rough is followed once more, alone and more closely.
+//! register. One for which these steps are too rough, close to the border of rest and escape, is followed once more, alone.
 
 use super::{
     fate::{self, Speeds, judge},
@@ -62,7 +61,7 @@ pub enum End {
 /// Steps after which a particle is followed alone: a hundred times those that all but a few need.
 pub const STEPS: u32 = 5000;
 
-/// Terms of the series, and binary logarithm of the size that the last two may have.
+/// And binary logarithm of the size that the last two terms may have.
 const TERMS: usize = 20;
 const TOLERANCE: f64 = -40.0;
 
@@ -76,22 +75,22 @@ const SLOW: f64 = 1e-6;
 /// Wanted half-width of the bounds of σ.
 const RADIUS: f64 = 2e-10;
 
-/// What the steps of many at once cost: less than 2^TOLERANCE, as measured.
+/// Less than 2^TOLERANCE, as measured.
 const LOST: f64 = 7e-13;
 
-/// What the steps of a particle alone cost, in spacings of its numbers, at most.
+/// In spacings of its numbers, at most.
 const LOST_ALONE: f64 = 64.0;
 
-/// The steps of many know a speed to what they cost beside 1. A particle that begins slower is followed alone.
+/// Steps of many know a speed to what they cost beside 1. What begins slower is followed alone.
 const FAST: f64 = 1e-3;
 
-/// The estimate of the last moments serves where the friction's lead weakens by no more than this part in them.
+/// By no more than this the friction's lead may weaken in the last moments.
 const WEAKENING: f64 = 1e-4;
 
-/// A particle that comes closer than this to p = w = 0, the border's brink, is followed alone.
+/// What comes closer to p = w = 0 is followed alone.
 const BRINK: f64 = 0.001;
 
-/// Particles in one piece of work for one thread.
+/// Particles for one thread.
 const PIECE: usize = 1024;
 
 impl Horizon {
@@ -179,10 +178,8 @@ struct Extremes {
 trait Watch {
     type End: Clone;
 
-    /// Whether a motion may have come to its end, for the states after a step.
     fn over<const L: usize>(&self, states: &[Lanes<L>; 4]) -> [bool; L];
 
-    /// If it lies in the step `h` long with this series and this state at its end.
     fn end(
         &self,
         series: impl FnOnce() -> [[f64; TERMS]; 4],
@@ -327,8 +324,7 @@ impl Watch for Horizon {
 }
 
 impl Horizon {
-    /// Beyond the horizon, if it lies in this step. What was `lost` on the way is by so much more, `amplified`, where the way
-    /// came close to the border of rest.
+    /// If it lies in this step. What was `lost` on the way is by so much more, `amplified`, close to the border of rest.
     fn ended<const N: usize>(
         &self,
         series: impl FnOnce() -> [[f64; N]; 4],
@@ -451,7 +447,7 @@ impl Horizon {
     }
 }
 
-/// Of one of many motions with this greatest speed, if it is certain to rest and its place is known well enough.
+/// If it is certain to rest and its place is known well enough; `most` is its greatest speed.
 fn settled(state: &[f64; 4], most: f64) -> Option<End> {
     let Last {
         time,
@@ -475,7 +471,6 @@ fn settled(state: &[f64; 4], most: f64) -> Option<End> {
         late: beyond * time,
         ..rest
     };
-    // The steps of many lose as much of a slow motion as of a fast one.
     let speeds = Speeds {
         most: 1.0,
         entry: Some(most),
@@ -489,7 +484,7 @@ fn settled(state: &[f64; 4], most: f64) -> Option<End> {
     })
 }
 
-/// Of a motion that is followed alone, if it is certain to rest and all is known that can be.
+/// If it is certain to rest and all is known that can be.
 fn ends_closely<T: Width>(state: &[T; 4], speeds: Speeds) -> Option<End> {
     let (fate::Certain::Rest(rest), true) = judge(state)? else {
         return None;
@@ -503,17 +498,16 @@ fn ends_closely<T: Width>(state: &[T; 4], speeds: Speeds) -> Option<End> {
     })
 }
 
-/// What is left before a rest that is near: time, way, and the part by which w weakens meanwhile.
+/// Time, way, and the part by which w weakens meanwhile.
 struct Last {
     time: f64,
     way: f64,
     weakening: f64,
 }
 
-/// With w as it is, p falls like e^−ws and ζ with it, dζ/ds = −p − (1 − w)ζ, so that the time is ∫p ds = p/w and the way
-/// ∫p² ds = p²/(2w). That w itself falls, dw/ds = −ζ², adds to them, for k = 1 and 2, the part ∫e^−kws ζ² ds / w. These
-/// integrals follow from those of p² and pζ, and all of them from what the derivatives of e^−kws times p², pζ and ζ² are.
-/// What is left out is smaller by as much again.
+/// With w as it is, p falls like e^−ws and ζ with it, dζ/ds = −p − (1 − w)ζ, so that the time is ∫p ds = p/w and the way ∫p² ds =
+/// p²/(2w). That w itself falls, dw/ds = −ζ², adds to them, for k = 1 and 2, the part ∫e^−kws ζ² ds / w, from the derivatives of
+/// e^−kws times p², pζ and ζ². What is left out is smaller by as much again.
 fn last_moments(&[_, p, w, zeta]: &[f64; 4]) -> Last {
     let part = |k: f64| {
         let of_squares = p * p / ((k + 2.0) * w);
@@ -535,7 +529,6 @@ fn last_moments(&[_, p, w, zeta]: &[f64; 4]) -> Last {
     }
 }
 
-/// Follows a particle until its [fate](mod@super::fate) is certain.
 struct Certain;
 
 impl Watch for Certain {
@@ -580,7 +573,7 @@ pub fn rests(starts: &[Start]) -> Result<Vec<Option<bool>>, MotionError> {
     Ok(Certain.piece(starts))
 }
 
-/// A zero before `h`, where the function is positive, by Newton's rule from its value and slope.
+/// By Newton's rule; the function is positive at `h`.
 fn crossing(mut h: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
     for _ in 0..20 {
         let (value, slope) = function(h);
@@ -793,7 +786,6 @@ mod tests {
             Lanes(cases.map(|(_, eta, p, ..)| p - eta)),
         ];
         assert_eq!(horizon.over(&states), cases.map(|(.., over)| over));
-        // Near: p + ρ < 1. Outward: ξ > 1. Neither.
         let states = [
             Lanes([0.0; 3]),
             Lanes([0.1, 0.1, 0.6]),
@@ -928,7 +920,7 @@ mod tests {
         assert!(worst > 0.1, "{worst}");
     }
 
-    /// States near rest whose w weakens by at most a thousandth, by ζ for the most part and by p beside it.
+    /// w weakens by at most a thousandth, by ζ for the most part and by p beside it.
     #[test]
     fn the_last_moments_leave_out_no_more_than_the_square_of_what_they_add() {
         for w in [0.2, 0.6, 1.0, 1.4] {

@@ -100,8 +100,8 @@ pub struct Speeds {
 }
 
 impl<T: Width> Rest<T> {
-    /// How closely σ and τ are known if so much is `lost` on the way: it grows on the last of it, the more the closer to
-    /// the border. A start, too, is rounded. Away from the brink an eighth is lost, as measured.
+    /// It grows on the last of the way, the more the closer to the border. A start, too, is rounded. Away from the brink an
+    /// eighth is lost, as measured.
     pub fn errors(&self, lost: f64, Speeds { most, entry }: Speeds) -> [f64; 2] {
         let (tau, gap) = (self.tau.to_f64(), self.gap.to_f64());
         if tau == 0.0 {
@@ -137,13 +137,13 @@ pub type Followed<T> = (Ending<T>, Speeds);
 /// Steps after which a fate is undecided: ten times as many as any of 200,000 random starts took.
 pub const STEPS: usize = 2_000;
 
-/// Terms of the series: the fastest number for steps that need no dense output.
+/// The fastest number for steps that need no dense output.
 const ORDER: usize = 24;
 
-/// Closer to the axis than this, a place need not be known better.
+/// A place closer to the axis need not be known better.
 const NOWHERE: f64 = 1e-30;
 
-/// What the steps and the rounding of the start may cost, in units of the spacing of the numbers.
+/// In units of the spacing of the numbers, with the rounding of the start.
 const LOST: f64 = 64.0;
 
 /// The fate of a particle: for 1 − σ above 10⁻³, σ to 10⁻¹² and τ to 10⁻⁹; closer to the border the answer says what is
@@ -320,7 +320,7 @@ pub fn judge<T: Width>(&[tau, p, w, zeta]: &[T; 4]) -> Option<(Certain<T>, bool)
     let most = way(room).max(least);
     // The deceleration is between w and room − most.
     let (soonest, latest) = (p / w, p / (room - most));
-    // The resting place is not farther from this one than the way, and σ² is between bounds.
+    // Not farther from here than the way, and σ² is between bounds.
     let (sigma, gap) = place(half * (least + most));
     let error = most.min((most - least) / (rho + sigma).max(most)).to_f64();
     let close = error <= T::CLOSE * sigma.to_f64().max(NOWHERE)

@@ -24,11 +24,11 @@ use crate::onset::onset;
 /// Steps that a motion may take before it is given up.
 pub const STEPS: usize = 200_000;
 
-/// Below this part of the first speeds, the velocity relative to the table, being a difference, loses its digits:
-/// from there on the place counts as fixed in the last moments before a stop, which is true to the square of this number.
+/// As a part of the first speeds, below which the velocity relative to the table, a difference, loses its digits: from there on
+/// the place counts as fixed until the stop, which is true to the square of this number.
 const STOP: f64 = 1e-8;
 
-/// Below this part of them the particle counts as stopped where friction does not hold it.
+/// Below this part the particle counts as stopped where friction does not hold it.
 const TURN: f64 = 1e-13;
 
 struct Laboratory {
@@ -159,8 +159,7 @@ pub fn run(table: &Table, start: &State, until: f64) -> Result<Path, MotionError
 
 /// By the friction, and the centrifugal force along the velocity and in all.
 fn left(speed: f64, friction: f64, pull: f64, far: f64) -> f64 {
-    // The velocity still turns towards the pull. With p′ = far cos ψ − μg and p ψ′ = −far sin ψ, p (μg + far cos ψ) falls
-    // steadily, at the rate (μg)² − far².
+    // With p′ = far cos ψ − μg and p ψ′ = −far sin ψ, p (μg + far cos ψ) falls steadily, at the rate (μg)² − far².
     if friction > far {
         speed * (friction + pull) / ((friction - far) * (friction + far))
     } else {

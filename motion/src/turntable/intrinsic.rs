@@ -238,7 +238,7 @@ pub fn rates([p, w, zeta]: [f64; 3]) -> [f64; 3] {
     [speed, deficit, forward]
 }
 
-/// The law of motion with components τ, p, w, ζ.
+/// Of τ, p, w, ζ.
 pub(super) struct Law;
 
 impl<T: Number, const N: usize> System<T, 4, N> for Law {
@@ -252,7 +252,7 @@ impl<T: Number, const N: usize> System<T, 4, N> for Law {
     }
 }
 
-/// The law of motion with components τ, p, w, ζ, χ, arc length.
+/// Of τ, p, w, ζ, χ, arc length.
 pub(super) struct Tracked;
 
 impl<T: Number, const N: usize> System<T, 6, N> for Tracked {
@@ -332,7 +332,7 @@ impl Intrinsic {
     }
 }
 
-/// Speed at which a run counts as ended: the time and the way that are left are far below any rounding.
+/// The time and the way that are left are far below any rounding.
 const STOP: f64 = 1e-30;
 
 /// A run in these components, from τ = 0.

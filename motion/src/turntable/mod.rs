@@ -1,9 +1,8 @@
 //! A particle on a rough turntable that turns at a steady rate about a vertical axis (section 4 of the paper).
 //!
 //! Newton's law with Coulomb friction, three times over: in axes that turn with the table ([`rotating`]), in axes at rest in the
-//! laboratory ([`inertial`]), and in components along and across the velocity ([`intrinsic`]), which are regular where the
-//! particle comes to rest, and tell whether it does ([`mod@fate`]) and where the boundary lies ([`mod@boundary`]). The last
-//! approach to rest, where friction hardly outweighs the pull, has equations of its own (`slow`).
+//! laboratory ([`inertial`]), and in components along and across the velocity ([`intrinsic`]), which tell whether the particle
+//! comes to rest ([`mod@fate`]) and where the boundary lies ([`mod@boundary`]).
 //!
 //! A particle at rest on the table at the distance r from the axis stays there if Ω²r ≤ μg. If Ω²r > μg it starts at once,
 //! straight away from the axis.
@@ -125,7 +124,7 @@ impl Table {
     }
 }
 
-/// Largest size of what is given: products of several are still numbers.
+/// Products of several are still numbers.
 const LARGEST: f64 = 1e50;
 
 fn size(name: &'static str, value: f64) -> Result<(), MotionError> {

@@ -38,10 +38,9 @@ impl<T> Moment<T> {
     }
 }
 
-/// Steps after which a motion is given up.
 const STEPS: usize = 200_000;
 
-/// A particle that starts from rest at ρ > 1 is followed from where its speed is this part of what drives it.
+/// From rest at ρ > 1 a particle is followed from where its speed is this part of what drives it.
 const ONSET: f64 = 1e-20;
 
 /// The state at the time `until`, by series of `N` terms. A particle that starts from rest at ρ > 1 starts straight
@@ -105,7 +104,7 @@ pub fn moment<T: Width, const N: usize>(
                     slow: slowly,
                 });
             }
-            // The place is known, though the direction of a velocity that is gone may go on turning.
+            // The direction of a velocity that is gone may go on turning.
             Leg::Rests([_, _, w, zeta, turned, _]) => {
                 return Ok(Moment {
                     p: zero,
@@ -194,7 +193,7 @@ mod tests {
     use crate::numerics::{double::Double, number::Real};
     use crate::turntable::Start;
 
-    /// dp/dτ = ρ − 1 at first, straight away from the axis; before and behind the moment from which it is followed step by step.
+    /// dp/dτ = ρ − 1 at first; before and behind the moment from which it is followed step by step.
     #[test]
     fn out_of_rest_the_speed_grows_from_the_first_moment() {
         for rho in [1.5, 3.0] {

@@ -23,11 +23,11 @@ use crate::onset::onset;
 /// Steps that a motion may take before it is given up.
 pub const STEPS: usize = 200_000;
 
-/// Speeds below this part of the first one are a stop.
+/// As a part of the first speed.
 const STOP: f64 = 1e-18;
 
 impl System<f64, 5, TERMS> for Table {
-    /// Speed squared, speed (or 1), the two components of the acceleration without friction.
+    /// Speed squared, speed (or 1), the acceleration without friction.
     type Work = [[f64; TERMS]; 4];
 
     fn begin(&self, _: &f64, _: &[f64; 5], _: &mut Self::Work) {}

@@ -31,10 +31,10 @@ const POWERS: usize = WEIGHT / 2 + 1;
 
 /// A width of numbers, and how close to rest it needs the slow equations.
 pub trait Width: Real {
-    /// So small have p and |w| to be: the first term left out, some 10²¹ times the twentieth power of this, and what
-    /// follows is below the spacing of the numbers.
+    /// The first term left out, some 10²¹ times the twentieth power of this, and what follows is below the spacing of the
+    /// numbers.
     const TUBE: f64;
-    /// How close the bounds of a place and a time of rest have to be.
+    /// For a place and a time of rest.
     const CLOSE: f64;
 }
 
@@ -48,10 +48,10 @@ impl Width for Double {
     const CLOSE: f64 = 1e-26;
 }
 
-/// What is below this part of a rounding is left out of G.
+/// As a part of a rounding, for terms of G.
 const UNSEEN: f64 = 1e-3;
 
-/// The slow equations hold when ζ is what they say to so many roundings.
+/// In roundings, of ζ.
 const REACHED: f64 = 16.0;
 
 /// Of wⁱPʲ, by j and i.
@@ -86,8 +86,8 @@ static COEFFICIENTS: LazyLock<[[i128; WEIGHT + 1]; POWERS]> = LazyLock::new(|| {
     g
 });
 
-/// The slow equations, of τ, p, w, χ and the arc length. They run in a time of their own, s times the size of p and w at
-/// the beginning of a step, so that no coefficient leaves the range of the numbers.
+/// Of τ, p, w, χ and the arc length, in a time of their own, s times the size of p and w at the beginning of a step, so that no
+/// coefficient leaves the range of the numbers.
 pub(super) struct Slow<T> {
     coefficients: Vec<Vec<T>>,
     /// Of the coefficients of each weight.
@@ -126,7 +126,7 @@ impl<T: Width> Slow<T> {
         -(p * sum)
     }
 
-    /// Whether these equations serve in this state. Where p grows, they have to last for a step.
+    /// Where p grows, they have to last for a step.
     pub(super) fn serves(&self, p: T, w: T, zeta: T) -> bool {
         let size = if w.to_f64() < 0.0 {
             T::TUBE / 8.0
@@ -139,7 +139,8 @@ impl<T: Width> Slow<T> {
     }
 }
 
-/// Of a step: ds by the time of the equations, the largest weight that shows, and the series of P, powers of w from the second on, the stages of Horner's rule for G by the power of P, and G².
+/// ds by the time of the equations, the largest weight that shows, and the series of P, powers of w from the second on, the
+/// stages of Horner's rule for G by the power of P, and G².
 pub(super) struct Work<T> {
     pace: T,
     weight: usize,

@@ -33,7 +33,6 @@ fn the_boundary_parts_rest_from_escape() {
             assert!(matches!(near(a + away), Fate::Escape { .. }), "{a} {away}");
         }
     }
-    // By the inertial frame: the particle put down in the laboratory and the one launched from the axis.
     let table = Table::default();
     let rests = |state: State| {
         inertial::run(&table, &state, 200.0)

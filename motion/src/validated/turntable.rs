@@ -1,23 +1,11 @@
 //! Fates on the turntable, proved: a start comes to rest within certain radii, or goes away for ever.
 //!
-//! In the dimensionless units of the table let p be the speed, ξ the position along the velocity, w = 1 − ξ, and ζ
-//! the component along the velocity of the velocity in the laboratory, so that ρ² = ξ² + (p − ζ)². Newton's law in
-//! the time s with dτ = p ds is polynomial,
+//! With the speed p, the position ξ along the velocity, w = 1 − ξ, and the component ζ along the velocity of the velocity in the
+//! laboratory, ρ² = ξ² + (p − ζ)², and Newton's law in the time s with dτ = p ds is p′ = −p w, w′ = −ζ², ζ′ = −p − ζ + w ζ. p > 0
+//! stays so. A state decides its fate, as [`fate`](mod@crate::turntable::fate) proves, if
 //!
-//! p′ = −p w,  w′ = −ζ²,  ζ′ = −p − ζ + w ζ,
-//!
-//! and p > 0 stays so. A state decides its fate, once and for all, if
-//!
-//! - p + ρ < 1: rest. ρ grows by the way S gone since at most, ξ ≤ ρ, so that d(p²/2)/dS = ξ − 1 ≤ ρ₀ + S − 1, and
-//!   p is 0 at an S < 1 − ρ₀, inside ρ < 1, where static friction holds. The way is S ≤ p²/(r + √(r² − p²)) with
-//!   r = 1 − ρ, and, since ξ never falls, S ≥ p²/(2w). As (ρ² − p²)˙ = 2p, the radius is σ² = ρ² − p² + 2S.
-//! - ρ² − p² > 1: no rest, since it never falls, and is σ² ≤ 1 at rest.
-//! - w < 0: no rest, since p′ = −p w > 0, and w never rises.
-//! - ζ < −p, w < p: no rest. While w ≥ 0, (ζ + p)′ = −2pw ≤ 0 where ζ = −p, so that ζ ≤ −p stays; then (p² − w²)′ =
-//!   2w (ζ² − p²) ≥ 0 keeps p² above w² by a fixed amount, and w′ = −ζ² ≤ −p² makes w negative.
-//!
-//! Such a particle goes away for ever: within bounds ρ² − p² would converge, and with it the way and the
-//! place, where the pull would have to be balanced for good.
+//! - p + ρ < 1: rest, after a way S ≤ p²/(r + √(r² − p²)) with r = 1 − ρ, and S ≥ p²/(2w), at σ² = ρ² − p² + 2S;
+//! - ρ² − p² > 1, or w < 0, or ζ < −p and w < p: no rest.
 
 mod strip;
 
@@ -86,7 +74,7 @@ impl<const N: usize> System<Interval, 12, N> for Law {
             product(w, zeta, k) - p[k] - zeta[k],
         ]);
         for j in 0..3 {
-            // A column of derivatives by the start: of p, of w, of ζ.
+            // Derivatives by the start: of p, of w, of ζ.
             let [dp, dw, dzeta] = [3 + j, 6 + j, 9 + j].map(|i| &x[i]);
             let turn = product(zeta, dzeta, k);
             slope[3 + j] = -(product(dp, w, k) + product(p, dw, k));
@@ -244,7 +232,7 @@ mod tests {
         ];
         let found = rates(state);
         for j in 0..3 {
-            // The law is of the second degree: its difference quotients are derivatives.
+            // The law is of the second degree: difference quotients are derivatives.
             let beside = |sign: f64| {
                 let mut state = state;
                 for i in 0..3 {

@@ -76,7 +76,7 @@ proptest! {
     }
 }
 
-/// The longest of all: on all cores, not by the macro, for which `PROPTEST_CASES` is the number of times.
+/// The longest: on all cores, not by the macro, for which `PROPTEST_CASES` is the number of times.
 #[test]
 fn the_boundary_of_rest_has_numbers() {
     let times = config().cases.div_ceil(MANY as u32);

@@ -1,5 +1,5 @@
-//! Whatever is given: the public functions that take numbers or text, with any numbers and any text. Each has to
-//! answer with an error or with finite numbers, after bounded work; none may panic.
+//! The public functions that take numbers or text, with any. Each has to answer with an error or with finite numbers, after
+//! bounded work; none may panic.
 //!
 //! `PROPTEST_CASES` sets how often each is asked.
 

@@ -8,7 +8,6 @@ use std::fs;
 
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/suite/command/cases.txt");
 
-/// Lines, and remarks, with what stands below each.
 fn cases(text: &str) -> Vec<(&str, String)> {
     let mut cases: Vec<(&str, String)> = Vec::new();
     for line in text.lines() {
@@ -20,8 +19,7 @@ fn cases(text: &str) -> Vec<(&str, String)> {
     cases
 }
 
-/// The exit code if it is not 0, what is printed, as far as the line asks for it, and the first paragraph of what is said
-/// besides.
+/// The exit code if it is not 0, what is printed, and the first paragraph of what is said besides.
 fn answer(line: &str) -> String {
     let mut parts = line.split(" | ");
     let words = words(parts.next().unwrap());
@@ -80,7 +78,6 @@ fn every_line_has_its_answer() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Its name, a number or a word, a unit, and how far off it may be.
 fn is_held(answer: &Value, row: &str) -> bool {
     let (name, wanted) = row.split_once(' ').unwrap();
     let place = format!("/{}", name.replace('.', "/"));

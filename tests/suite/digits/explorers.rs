@@ -65,8 +65,7 @@ fn slips(lambda0: f64, slip: [f64; 2], until: f64) -> Option<Result<f64, f64>> {
     None
 }
 
-/// Where a slip along x ends or turns, from `phi` with u there, by the integral of sin φ ∓ λ₀; and the slip at the time `until`.
-/// Rolling lasts until |sin φ| = λ₀.
+/// From `phi` with u there, by the integral of sin φ ∓ λ₀; and the slip at the time `until`. Rolling lasts until |sin φ| = λ₀.
 fn along(lambda0: f64, mut phi: f64, mut u: f64, until: f64) -> (Vec<[f64; 2]>, f64) {
     let mut rolls = Vec::new();
     loop {

@@ -5,7 +5,6 @@ use slipbook::claims::{PAPER, values::search};
 use slipbook::motion::turntable::{critical_radius, critical_speed};
 use std::collections::BTreeSet;
 
-/// Exact ones and the boundary of a case by hand are not in a table.
 #[test]
 fn every_known_number_has_its_digits() {
     let mut known = BTreeSet::from(["boundary", "kappa-solid"].map(str::to_owned));

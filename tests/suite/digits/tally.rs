@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// No answer is said to have more digits, so that more do not count.
 const MOST: u32 = 15;
 
 #[derive(Default)]
@@ -98,8 +97,7 @@ impl Tally {
         self.counts.values().sum()
     }
 
-    /// At most two digits fewer are claimed than are true, in nine cases of ten; where all cases were tried, the counts are the
-    /// recorded ones.
+    /// At most two digits too few, in nine cases of ten; where all cases were tried, the counts are the recorded ones.
     #[track_caller]
     #[must_use]
     pub fn closes(&self, kind: &str, all: bool) -> bool {
@@ -114,7 +112,7 @@ impl Tally {
         !all || self.is_recorded(kind)
     }
 
-    /// But for one case in a thousand: a last bit, which machines may round otherwise, makes a digit more or less known.
+    /// But for one case in a thousand, as machines may round a last bit otherwise.
     fn is_recorded(&self, kind: &str) -> bool {
         let record = record();
         let rows = record.lines().filter_map(|line| {

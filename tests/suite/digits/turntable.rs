@@ -19,7 +19,6 @@ use std::f64::consts::PI;
 struct Table;
 
 impl System<Double, 5, TERMS> for Table {
-    /// |v|², |v| and the acceleration but for friction.
     type Work = Room<4>;
 
     fn begin(&self, _: &Double, _: &[Double; 5], _: &mut Room<4>) {}
@@ -126,7 +125,6 @@ fn crosses(rho: f64, p: f64, psi: f64, far: f64) -> Option<f64> {
     None
 }
 
-/// Over the whole domain and on purpose at its edges.
 fn start(rng: &mut fastrand::Rng) -> [f64; 3] {
     let small = |rng: &mut fastrand::Rng, most: f64| 10f64.powf(-most * rng.f64());
     let psi = match rng.u8(0..8) {
@@ -278,8 +276,8 @@ fn a_state_by_another_law_in_other_variables() {
     assert!(tally.closes("turntable: at a time", wanted >= 10_000));
 }
 
-/// The w at which the slow motion with this small p runs into p = w = 0, by the power series of p w w′ = ζ² and
-/// p w ζ′ = p + ζ − wζ with w = p + …, ζ = −p + ….
+/// Where the slow motion with this small p runs into p = w = 0, by the power series of p w w′ = ζ² and p w ζ′ = p + ζ − wζ with w
+/// = p + …, ζ = −p + ….
 fn border(p: Double) -> Double {
     let (mut w, mut zeta) = (
         vec![0.0.into(), 1.0.into()],

@@ -12,7 +12,6 @@ use slipbook::ledger::Format;
 use slipbook::numerics::expression::expression;
 use trialbook::trials::by_hand::ByHand;
 
-/// By its own expressions or by the names of values.
 fn by_hand(place: &str, case: &ByHand) -> Vec<f64> {
     let value = |said: &&'static str| match PAPER.value(said) {
         Some(value) => value.number().unwrap(),
@@ -33,7 +32,6 @@ fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
         let text = format!("{} {} {}", case.wrong, case.reason, case.case);
         (claim.id, text, by_hand(claim.id, case))
     });
-    // The letter takes its examples from here.
     let all = PAPER
         .cases()
         .flat_map(|(claim, case)| by_hand(claim.id, case));

@@ -14,8 +14,8 @@ pub enum Same {
 /// At which both have values.
 const POINTS: usize = 20;
 const TRIED: u32 = 400;
-/// Relative, of numbers of twice the usual length. Each operation is right to 1e-31, on numbers of order one; the largest loss is
-/// some thousand-fold. No slip of the pen is so small.
+/// Relative. Each operation is right to 1e-31, on numbers of order one; the largest loss is some thousand-fold. No slip of the
+/// pen is so small.
 const TOLERANCE: f64 = 1e-27;
 
 /// If they are not, why.
@@ -52,8 +52,8 @@ pub fn differ(a: Expr, b: Expr) -> Option<String> {
     Some(format!("{a} and {b} have {compared} values"))
 }
 
-/// In the first half of the points between 0.1 and 0.9, where the paper's ratios lie; then between −2 and 2, for what holds with
-/// the other sign or beyond 1.
+/// For half of the points between 0.1 and 0.9, where the paper's ratios lie; then between −2 and 2, for what holds with the other
+/// sign or beyond 1.
 fn coordinate(name: &str, point: u32) -> f64 {
     let seed = name.bytes().fold(u64::from(point), |seed, byte| {
         seed.wrapping_mul(0x0100_0000_01b3) ^ u64::from(byte)
@@ -66,8 +66,8 @@ fn coordinate(name: &str, point: u32) -> f64 {
     }
 }
 
-/// A ring in which each elementary function of something, and each power that is not whole, is a symbol; the same one for
-/// arguments whose difference is zero. So what is zero there is zero.
+/// A ring in which each elementary function, and each power that is not whole, is a symbol; the same one for arguments whose
+/// difference is zero. So what is zero there is zero.
 #[derive(Default)]
 struct Atoms {
     ring: Ring,

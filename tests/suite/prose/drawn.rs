@@ -141,7 +141,7 @@ fn scale(mut ticks: Vec<[f64; 2]>) -> Option<impl Fn(f64) -> f64> {
     (ticks.len() > 1).then_some(move |x| on(kind, x))
 }
 
-/// Left, top, bottom and right, each with what is drawn from there on.
+/// Left, top, bottom, right; with what is drawn from there on.
 fn panels<'a, 'b>(svg: &'b [Tag<'a>]) -> Vec<([f64; 4], &'b [Tag<'a>])> {
     let frame = |tag: &Tag<'_>| {
         let (x, rest) = tag.value("d")?.strip_prefix('M')?.split_once(' ')?;
@@ -165,7 +165,6 @@ fn panels<'a, 'b>(svg: &'b [Tag<'a>]) -> Vec<([f64; 4], &'b [Tag<'a>])> {
         .collect()
 }
 
-/// Colour, and corners in the drawing's own lengths.
 type Drawn<'a> = (&'a str, Vec<[f64; 2]>);
 
 /// Behind `fill:` or `stroke:` at its beginning.

@@ -7,7 +7,6 @@ use slipbook::exact::{
 };
 use slipbook::scalar::Scalar;
 
-/// Of a formula in which something is related to something.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Found {
     /// All its relations hold for all values of what is not given, or between numbers.
@@ -110,7 +109,7 @@ fn name_at(latex: &str, at: usize) -> String {
     chars[at..end].iter().collect()
 }
 
-/// A character, a command with its argument if it changes a name, or what stands in braces.
+/// Also a command with its argument if it changes a name, or what stands in braces.
 fn part(chars: &[char], mut at: usize) -> usize {
     while chars.get(at) == Some(&' ') {
         at += 1;

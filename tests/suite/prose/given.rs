@@ -1,8 +1,8 @@
 //! Formulas that hold where something is given: `name=formula`, or `name=@function(arguments)` of the code, parted by semicolons.
-//! Without a name it is what the formula itself is to be. `left`, `right` and `difference` say what the sides of its relation, or
-//! the left one less the right one, are to be, and `within` by how much two numbers may differ; a digit behind them counts the
-//! relations, and that of `row` the cases. A piece that the reader does not understand, such as an integral, has its value given
-//! as «piece»; «piece»=, parts two statements there.
+//! Without a name it is what the formula itself is to be. `left`, `right` and `difference` are the sides of its relation, or the
+//! left one less the right one, `within` how much two numbers may differ, with a digit that counts the relations, `row` one of
+//! its cases. A piece that the reader does not understand, such as an integral, has its value as «piece»; «piece»=, parts two
+//! statements there.
 
 use super::{
     compare,

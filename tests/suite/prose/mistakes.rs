@@ -34,8 +34,7 @@ pub fn pieces(latex: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// With one piece changed: a number one more, a sign or function for the one it is taken for, a name for the next one of the
-/// text.
+/// A number one more, a sign or function for the one it is taken for, a name for the next one of the text.
 pub fn mistakes(latex: &str) -> Vec<String> {
     let pieces = pieces(latex);
     let name = |piece: &str| {

@@ -14,7 +14,6 @@ use std::collections::BTreeSet;
 
 const TABLE: &str = "tests/data/formulas.txt";
 
-/// Page, what is given, formula. What is given of a definition is nothing.
 fn entries() -> Vec<(String, String, String)> {
     let (mut page, mut entries) = (String::new(), Vec::new());
     for line in std::fs::read_to_string(TABLE).unwrap().lines() {
@@ -76,7 +75,7 @@ fn formulas() -> Vec<Here> {
     all
 }
 
-/// Its entries and what these give, and what the paper or the corrections print, which `print` holds.
+/// What its entries give, and what the paper or the corrections print, which `print` holds.
 struct Asked(BTreeSet<(String, String)>);
 
 impl Asked {

@@ -94,7 +94,7 @@ pub struct Held {
 }
 
 impl Held {
-    /// Printed or, `corrected`, what is right in its place; with what is wrong in its entry.
+    /// Or, `corrected`, what is right in its place; with what is wrong in its entry.
     fn of(
         library: &Library,
         topic: &Topic,
@@ -169,7 +169,7 @@ impl Held {
     }
 }
 
-/// Printed, of each equation and of what else says `reads`, or what is right in its place; with what is wrong in the entries.
+/// Of each equation and of what else says `reads`; with what is wrong in the entries.
 pub fn held(library: &Library, corrected: bool) -> (Vec<Held>, Vec<String>) {
     let of = |(topic, claim): (&'static Topic, &'static Claim)| {
         let read = corrected || claim.equation.is_some() || !claim.reads.is_empty();

@@ -19,7 +19,6 @@ struct Noticed {
 }
 
 impl Noticed {
-    /// Held by lines and words; those that nobody notices.
     fn all(&mut self, library: &Library, held: &Held) -> Vec<String> {
         let lines = &held.lines;
         let mut missed = Vec::new();
@@ -52,7 +51,6 @@ fn every_slip_of_the_pen_is_noticed() {
     assert!(missed.is_empty(), "{missed:#?}");
 }
 
-/// In formulas of the code, held against these lines.
 #[derive(Debug, Default)]
 struct Seeded {
     noticed: usize,

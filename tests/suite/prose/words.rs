@@ -1,7 +1,5 @@
-//! A print as the letters, numbers and signs that it has in order.
-//!
-//! So a row's plain text is held against its LaTeX, and of each print what no formula of the code says: the left sides, the
-//! relations, the conditions of cases.
+//! A print as the letters, numbers and signs that it has in order: for plain text against LaTeX, and for what no formula of the
+//! code says, left sides, relations, the conditions of cases.
 
 use trialbook::notation::plain_words;
 

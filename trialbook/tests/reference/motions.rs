@@ -18,7 +18,6 @@ struct Law<'a> {
     parameter: f64,
 }
 
-/// Of the time or an argument, and of two functions of it.
 struct Room<T>([Vec<T>; 3]);
 
 impl<T> Default for Room<T> {
@@ -178,8 +177,7 @@ fn padded<T: Number>(start: &[f64]) -> [T; MOST] {
     std::array::from_fn(|i| T::from_f64(start.get(i).copied().unwrap_or(0.0)))
 }
 
-/// In roundings: some for each step, and those at the start count for more where motions part, or where what ends small began
-/// large.
+/// Some for each step, and those at the start count for more where motions part, or where what ends small began large.
 fn parting(name: &str) -> f64 {
     match name {
         "lorenz" | "kepler" | "gauss" => 300.0,

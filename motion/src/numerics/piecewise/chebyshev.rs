@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 pub(super) const POINTS: usize = 16;
-/// Coefficients below this share of the largest value are rounding noise.
+/// As a share of the largest value.
 const NOISE: f64 = 3e-16;
-/// A part is resolved when its last two coefficients are below this share of the largest value.
+/// Of the last two coefficients, as a share of the largest value.
 const RESOLVED: f64 = 1e-15;
 /// As shares of the part, between the interpolation points.
 const CHECKS: [f64; 4] = [0.004, 0.171, 0.463, 0.921];

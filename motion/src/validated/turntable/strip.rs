@@ -1,5 +1,4 @@
-//! Fates on both sides of a line that follows the boundary between rest and escape: cells along it are decided nearly
-//! up to it, where cells of a grid, which it crosses, are not.
+//! Fates on both sides of a line that follows the boundary between rest and escape: cells along it are decided nearly up to it.
 
 use super::{Judged, Law, judge};
 use crate::scalar::Scalar;
@@ -27,19 +26,19 @@ pub struct Margins {
     pub escape: f64,
 }
 
-/// Terms of a series, and how wide the last may be: it takes no more for cells that are not small.
+/// And how wide the last term may be: more are not worth it for cells that are not small.
 const TERMS: usize = 10;
 const ACCURACY: f64 = 1e-7;
 
 const STEPS: usize = 400;
 
-/// A set as wide as this in a coordinate is not followed farther.
+/// In a coordinate.
 const WIDE: f64 = 1.0;
 
-/// Layers reach down to this share at the nearest.
+/// As a share of the way.
 const NEAREST: f64 = 1e-12;
 
-/// Halvings of a layer's cell: of layers that begin farther out than `THICK`, and of the others.
+/// Of a layer's cell that begins farther out than `THICK`, and of the others.
 const THICK: f64 = 1.0 / 16.0;
 const HALVINGS: u32 = 12;
 const HALVINGS_OF_THIN: u32 = 9;
@@ -76,7 +75,7 @@ impl Strip {
 
     /// What is proved of a part of this strip, with a line of its own, where `known` is proved of the whole.
     pub fn inherited(&self, known: Margins, part: &Strip) -> Margins {
-        // Along straight lines the one bound is within the other where it is so at the part's ends.
+        // Along straight lines, where the one bound is within the other at the part's ends.
         let share = |side, known| {
             let proved = Interval::int(1) - Interval::point(known);
             let shares = part.psi.map(|psi| {
@@ -108,7 +107,6 @@ impl Strip {
         margin
     }
 
-    /// From the strip's end on a side to the line, at an angle.
     fn height_at(&self, psi: f64, side: Side) -> Interval {
         let line = self.line_at(number(psi)).value;
         match side {
@@ -123,7 +121,6 @@ impl Strip {
         first + (psi - from) * ((last - first) / (to - from))
     }
 
-    /// From the line's higher end to the strip's.
     fn height(&self, side: Side) -> f64 {
         match side {
             Side::Below => self.line[0].max(self.line[1]),
@@ -207,7 +204,7 @@ fn number(x: f64) -> Jet<2> {
 mod tests {
     use super::*;
 
-    /// Near ψ = 0, where the boundary at A = 0.5 is at α = 0.7547.
+    /// Near ψ = 0; the boundary at A = 0.5 is at α = 0.7547.
     fn strip(line: f64) -> Strip {
         Strip {
             a: Interval::decimal(0.5),
@@ -233,7 +230,7 @@ mod tests {
 
     #[test]
     fn beyond_the_boundary_nothing_is_proved() {
-        // The line is 0.05 too low, then too high: what lies between it and the boundary stays open.
+        // 0.05 too low, then too high: what lies between the line and the boundary stays open.
         let low = strip(0.7047).margins(Margins::NONE, LINE);
         assert!(low.escape * 0.2953 > 0.05 && low.rest < 1e-6, "{low:?}");
         let high = strip(0.8047).margins(Margins::NONE, LINE);
@@ -260,8 +257,7 @@ mod tests {
             rest: 0.25,
             escape: 0.5,
         };
-        // Proved up to α = 0.375 at one end and 0.5625 at the other, and from 0.75 and 0.875 on; in the middle 0.46875 and
-        // 0.8125.
+        // Up to α = 0.375 at one end and 0.5625 at the other, and from 0.75 and 0.875 on; in the middle 0.46875 and 0.8125.
         let part = Strip {
             psi: [-0.02, 0.0],
             line: [0.5, 0.75],
