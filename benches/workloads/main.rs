@@ -112,7 +112,6 @@ fn ends_against_single(horizon: &Horizon, starts: &[Start]) -> Result<(), Failur
     Ok(())
 }
 
-/// Along each side of the plane of parameters.
 const SIDE: usize = 1000;
 
 /// At every pixel of 1 < q < 7, 0 < λ₀ < 1, by simulation and by the formulas.
@@ -148,7 +147,6 @@ fn census(c: &mut Criterion) -> Result<(), Failure> {
     let columns: Vec<Column> = (0..SIDE)
         .map(|i| Column::new(q(i)))
         .collect::<Result<_, _>>()?;
-    // Memory grows with a row.
     let mut arcs = Vec::with_capacity(SIDE);
     let mut by_formula = |each: &mut dyn FnMut(usize, &[Arcs])| -> Result<(), Failure> {
         for j in 0..SIDE {
@@ -297,7 +295,6 @@ fn proofs(c: &mut Criterion) -> Result<(), Failure> {
     Ok(())
 }
 
-/// All claims and the whole book.
 fn everything(c: &mut Criterion) -> Result<(), Failure> {
     let (program, folder) = (std::env::current_exe()?, tempfile::tempdir()?);
     let mut group = group(c, "w6-everything", 1);

@@ -4,7 +4,6 @@ use slipbook_motion::explorers;
 use std::cell::RefCell;
 
 thread_local! {
-    /// It stays where it is until the next question.
     static ANSWER: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
     /// A question in words, and then its answer.
     static TEXT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };

@@ -4,7 +4,7 @@ use super::error::MotionError;
 use super::signal::Signal;
 use crate::numerics::taylor::TERMS;
 
-/// Taylor coefficients of a function of time, to the order of the integrator.
+/// Taylor coefficients by the time, to the order of the integrator.
 pub type Coefficients = [f64; TERMS];
 
 /// The acceleration A(t) of the plane in the laboratory, in length/time²: a body on it is pulled [the other way](super).
@@ -101,7 +101,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The same acceleration at all times: the plane gets faster along `a`, and a body on it is pulled along −`a`.
+    /// The plane gets faster along `a`, and a body on it is pulled along −`a`.
     pub fn constant(a: [f64; 2]) -> Self {
         Self {
             x: Signal::constant(a[0]),
@@ -117,7 +117,7 @@ impl Plane {
         }
     }
 
-    /// The plane accelerates by A(t) = amplitude(t) · (cos φ, sin φ), φ = frequency · t + phase.
+    /// A(t) = amplitude(t) · (cos φ, sin φ), φ = frequency · t + phase.
     pub fn rotating(amplitude: Signal, frequency: f64, phase: f64) -> Self {
         let turned =
             |phase| Signal::Product(vec![amplitude.clone(), Signal::Sine { frequency, phase }]);

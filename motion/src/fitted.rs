@@ -320,7 +320,7 @@ impl Fitted {
         powers.all(|a| *a == 0.0)
     }
 
-    /// The largest error of a component, in length/time²: measured for a function, estimated for a table.
+    /// Of a component, in length/time²: measured for a function, estimated for a table.
     pub fn error(&self) -> f64 {
         self.error
     }

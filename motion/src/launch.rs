@@ -46,8 +46,7 @@ impl Launch {
         })
     }
 
-    /// The velocity at the launch, (v_x, v_y). At θ₀ = π it is exactly along the axis, which the sine of the
-    /// rounded π is not.
+    /// (v_x, v_y) at the launch. At θ₀ = π it is exactly along the axis, which the sine of the rounded π is not.
     pub fn velocity(&self) -> [f64; 2] {
         let sine = if self.theta0 == PI {
             0.0
@@ -65,8 +64,7 @@ impl Launch {
         run(&self.plane(), self.friction(), self.start(), until)
     }
 
-    /// Whether the particle comes to rest and stays: for λ > 1, and at λ = 1 for a start straight against the
-    /// inertial force, at θ₀ = π.
+    /// For λ > 1, and at λ = 1 for θ₀ = π, straight against the inertial force.
     pub fn comes_to_rest(&self) -> bool {
         self.lambda > 1.0 || self.lambda == 1.0 && self.theta0 == PI
     }

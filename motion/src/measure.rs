@@ -29,7 +29,7 @@ pub struct Settings {
     /// Times, in s, between which the body lay at rest on level floor: they show the zeros of the sensor. Where none are given,
     /// quiet stretches with less than g/20 along the floor count as such.
     pub rest: Option<[f64; 2]>,
-    /// How far the zeros may be off if there is no rest: their standard deviation, in m/s², from 0.001 to 1000.
+    /// Standard deviation of the zeros if there is no rest, in m/s², from 0.001 to 1000.
     pub offset: f64,
 }
 
@@ -164,13 +164,13 @@ pub struct Measured {
     pub stretches: Vec<Stretch>,
     /// Whether Coulomb's law fits.
     pub verdict: Verdict,
-    /// Standard deviation of the sensor's noise, along one axis, at rest, or else from row to row, in m/s².
+    /// Standard deviation along one axis, at rest, or else from row to row, in m/s².
     pub noise: f64,
     /// Whether a rest has shown the sensor's zeros.
     pub zeroed: bool,
-    /// Whether N/m is measured; else it is taken to be g, as on level floor.
+    /// N/m is measured; else it is taken to be g.
     pub normal: bool,
-    /// Whether what differs to and fro is taken for a tilt of the floor.
+    /// What differs to and fro is taken for a tilt of the floor.
     pub tilted: bool,
 }
 
@@ -290,11 +290,9 @@ pub fn measure(recording: &Recording, settings: &Settings) -> Result<Measured, M
     Ok(found)
 }
 
-/// And its zeros by slips to and fro.
 fn by(mut sensor: Sensor) -> (Measured, [f64; 2]) {
     let mut pieces = sensor.pieces();
     let (mut slips, rests) = kinetic::slips(&sensor, &pieces);
-    // Slips to and fro show the zeros too.
     if !sensor.zeroed && !slips.is_empty() {
         sensor.shift(kinetic::fit(&sensor, &slips).1);
         let again = sensor.pieces();

@@ -17,7 +17,7 @@ use super::{
 };
 use crate::numerics::{series::value, taylor::reach};
 
-/// Coulomb friction per unit of mass, in length/time². A number is a friction that holds as much as it brakes: `0.3 * g`.
+/// Coulomb friction per unit of mass, in length/time². A number holds as much as it brakes: `0.3 * g`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Friction {
     /// μg, against a body that slides.
@@ -107,7 +107,6 @@ struct Run<'a> {
     motion: Motion,
 }
 
-/// And how long its series serves.
 struct Local {
     a: [Coefficients; 2],
     /// What its last coefficients allow, up to the next break or the end of the motion.
@@ -182,7 +181,6 @@ impl<'a> Run<'a> {
         self.done()
     }
 
-    /// The motion up to here.
     fn done(mut self) -> Result<Motion, MotionError> {
         let State { t, v, x } = self.state;
         finite(t, &[v, x].concat())?;

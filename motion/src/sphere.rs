@@ -73,12 +73,12 @@ pub enum Contact {
     Rolling,
 }
 
-/// A moment at which the velocity of the point of contact is zero and the kind of motion may change.
+/// The velocity of the point of contact is zero and the kind of motion may change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transition {
     /// When.
     pub t: f64,
-    /// What comes after. Sliding may follow on sliding: then the velocity only passes through zero.
+    /// Sliding may follow on sliding: then the velocity only passes through zero.
     pub to: Contact,
 }
 

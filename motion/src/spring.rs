@@ -15,7 +15,7 @@ use super::{
 /// A spring and the friction under the block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spring {
-    /// Frequency ω of the block on the spring without friction, in 1/time; 0 for no spring.
+    /// ω of the block on the spring without friction, in 1/time; 0 for no spring.
     pub frequency: f64,
     /// μg, in length/time².
     pub friction: f64,

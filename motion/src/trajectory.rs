@@ -11,7 +11,7 @@ use crate::numerics::{
     taylor::{Step, TERMS},
 };
 
-/// On a plane in its frame, on a turntable in the frame that is named.
+/// State of a particle: on a plane in its frame, on a turntable in the frame that is named.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Time.
@@ -228,7 +228,7 @@ impl Motion {
         }
     }
 
-    /// The phases in order, without gaps; one of length zero is left out.
+    /// In order, without gaps; one of length zero is left out.
     pub fn phases(&self) -> &[Phase] {
         &self.phases
     }
@@ -243,7 +243,7 @@ impl Motion {
         &self.starts
     }
 
-    /// The first stop, or nothing if there was none until the end of the motion.
+    /// Nothing if there was none until the end of the motion.
     pub fn first_stop(&self) -> Option<f64> {
         self.stops.first().copied()
     }

@@ -9,7 +9,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// From the top of the repository.
 const PARTS: [&str; 7] = [
     "src",
     "motion/src",

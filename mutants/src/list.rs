@@ -24,14 +24,12 @@ pub struct Mistake {
 
 #[derive(Default)]
 pub struct Change {
-    /// From the top of the repository.
     pub file: String,
     /// With the marked part.
     pub right: String,
     pub wrong: String,
 }
 
-/// In the order of the files' names.
 pub fn read(folder: &Path) -> Result<Vec<Mistake>, Box<dyn Error>> {
     let files: Result<Vec<_>, _> = fs::read_dir(folder)?.map(|f| f.map(|f| f.path())).collect();
     let mut files = files?;

@@ -18,7 +18,6 @@ use std::{env, fs};
 
 const LIST: &str = "mutants/physics";
 const TABLE: &str = "snapshots/physics.csv";
-/// Which measurements react to how many of them.
 const REACTIONS: &str = "snapshots/reactions.csv";
 /// Of the measurements that react to none.
 const EXCUSES: &str = "mutants/reads_no_motion.txt";
@@ -89,7 +88,6 @@ fn record(path: &str, text: &str) -> std::io::Result<()> {
     }
 }
 
-/// In the words of a record's head.
 fn as_of() -> Result<String, Box<dyn Error>> {
     let form = "--format=# As of commit %h, %as";
     let said = Command::new("git").args(["log", "-1", form]).output()?;

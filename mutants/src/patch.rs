@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-/// Around what is replaced.
 const MARKS: [char; 2] = ['⟦', '⟧'];
 
 #[derive(Debug, Clone, PartialEq)]

@@ -197,7 +197,6 @@ pub fn within_reach<'a>(program: &Path, right: &'a Verdicts) -> Result<Reach<'a>
     Ok(ids.into_iter().zip(all?).collect())
 }
 
-/// Ids of claims, with the numbers of mistakes.
 pub type Reach<'a> = Vec<(&'a str, BTreeSet<usize>)>;
 
 pub fn all<'a>(
@@ -274,14 +273,12 @@ fn changed(right: &Verdicts, wrong: &Verdicts) -> Found {
 pub struct Reaction {
     /// Claim's id, route and subject.
     pub key: [String; 3],
-    /// Of those with this key.
     pub nth: usize,
     pub mistakes: usize,
     /// In all; fewer, if it were made more lenient.
     pub disagree: usize,
 }
 
-/// In the ledger's order.
 pub fn reactions(right: &Verdicts, found: &[(&Mistake, Found)]) -> Vec<Reaction> {
     let trials = right
         .iter()

@@ -24,7 +24,6 @@ fn first(names: &[String], between: &str) -> String {
     names[..names.len().min(NAMED)].join(between)
 }
 
-/// Commas are a part of it.
 fn quoted(text: &str) -> String {
     match text.contains([',', '"']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),

@@ -6,7 +6,6 @@ use crate::pages::none;
 use crate::visit::visits;
 
 const ALL: &str = "['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice']";
-/// By another look of the same page.
 const LOOK: &str = "{ type: 'rule', values: ['color-contrast', 'link-in-text-block'] }";
 
 const LOOKS: [(&str, &[&str]); 4] = [
@@ -16,7 +15,6 @@ const LOOKS: [(&str, &[&str]); 4] = [
     ("methods.html", &["navy"]),
 ];
 
-/// With what each asks and the first places.
 fn broken(page: &mut Page, rules: &str) -> Seen<Vec<String>> {
     page.value(concat!(include_str!("axe/axe.min.js"), ";0"))?;
     // Style sheets on the disk may not be read once more. Twenty formulas stand for all of the page. What is folded is not looked
@@ -46,7 +44,6 @@ pub fn pages(page: &mut Page, book: &Book) -> Seen {
     none(found.collect())
 }
 
-/// In every theme, and links be told from them.
 pub fn themes(page: &mut Page, book: &Book) -> Seen {
     let mut found = Vec::new();
     for (name, themes) in LOOKS {

@@ -19,7 +19,6 @@ const PATIENCE: Duration = Duration::from_secs(60);
 
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
-/// If there is one that this test can talk to.
 pub fn find() -> Option<PathBuf> {
     // The two pipes take a Unix shell.
     let folders = cfg!(unix).then(|| env::var_os("PATH")).flatten()?;
@@ -28,7 +27,6 @@ pub fn find() -> Option<PathBuf> {
     candidates.into_iter().find(|path| path.is_file())
 }
 
-/// For several threads with a tab each.
 pub struct Browser {
     child: Child,
     requests: Mutex<ChildStdin>,
@@ -44,7 +42,6 @@ struct Inbox {
 
 #[derive(Default)]
 struct Messages {
-    /// By the number of the request.
     answers: HashMap<u64, Value>,
     /// What nobody asked for, by session.
     events: HashMap<String, Vec<Value>>,
@@ -237,7 +234,6 @@ impl Page<'_> {
             .map(drop)
     }
 
-    /// Wherever one reads.
     pub fn begun(&mut self) -> Seen {
         self.wait_for(
             "[...document.querySelectorAll('[data-explorer]')].every(host => host.dataset.shown

@@ -10,7 +10,6 @@ use slipbook::corrections::escape as corrections;
 use slipbook::explorers::answer;
 use slipbook::paper::escape::{eq128_alpha_rate, eq132_a, eq134_lag, eq136_rho};
 
-/// In the order of the book.
 pub const PAGES: [&str; 9] = [
     "index",
     "constant",
@@ -23,7 +22,6 @@ pub const PAGES: [&str; 9] = [
     "rest",
 ];
 
-/// The page's name, but for the first one.
 pub fn name_on(page: &'static str) -> &'static str {
     if page == "index" { "record" } else { page }
 }
@@ -330,7 +328,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
         self.page.wait_for(&self.of_host(condition))
     }
 
-    /// Once the picture has caught up with them.
+    /// `host` is the explorer in it.
     fn state(&mut self) -> Seen<Vec<f64>> {
         self.wait_for("host.dataset.shown !== undefined")?;
         self.read("[...host.querySelectorAll('.inputs input')].map(i => Number(i.value))")
@@ -361,7 +359,6 @@ impl<'p, 'b> Explorer<'p, 'b> {
         }
     }
 
-    /// All that is shown is what the crate says.
     fn right(&mut self) -> Seen<Vec<f64>> {
         let (name, state) = (self.name, self.state()?);
         let shown: Vec<String> = self.read(
@@ -384,7 +381,6 @@ impl<'p, 'b> Explorer<'p, 'b> {
         )
     }
 
-    /// The numbers of the plots that have a hand.
     fn hands(&self) -> &'static [usize] {
         match self.name {
             "sphere" => &[1],
@@ -485,11 +481,9 @@ fn keyboard(explorer: &mut Explorer<'_, '_>) -> Seen {
     Ok(())
 }
 
-/// And no other.
 fn sliders(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let count = match name {
-        // It has hands alone.
         "record" => 0,
         _ => explorer.state()?.len(),
     };
@@ -498,7 +492,6 @@ fn sliders(explorer: &mut Explorer<'_, '_>) -> Seen {
         explorer.value(&format!(
             "host.querySelectorAll('.inputs input')[{i}].focus()"
         ))?;
-        // Away from the end, if it stands there.
         let keys = match explorer.read(&format!(
             "(slider => slider.value === slider.min)(host.querySelectorAll('.inputs input')[{i}])"
         ))? {

@@ -29,10 +29,8 @@ use std::thread;
 use tempfile::TempDir;
 use visit::Visit;
 
-/// Worked in at a time.
 const TABS: usize = 3;
 
-/// In a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Seen;
 
 const TESTS: [(&str, Test); 35] = [
@@ -101,7 +99,6 @@ const TIMED: [&str; 4] = [
     "all_pages_in_one_come_in_time",
 ];
 
-/// With nothing else at the same time.
 pub fn timed_alone() -> bool {
     env::args().any(|argument| argument == "--bench")
 }
@@ -138,7 +135,6 @@ fn main() -> ExitCode {
     conclusion.exit_code()
 }
 
-/// Made when the first test runs.
 #[derive(Default)]
 struct Shared {
     path: Option<PathBuf>,
@@ -146,7 +142,6 @@ struct Shared {
     browser: OnceLock<Seen<Running>>,
 }
 
-/// With the folder of its data.
 struct Running {
     browser: Browser,
     _data: TempDir,
@@ -165,7 +160,6 @@ impl Running {
 impl Shared {
     fn run(&self, test: Test) -> Seen {
         let path = self.path.as_ref().ok_or("no Chromium on the search path")?;
-        // The browser starts while the book is written.
         let (book, running) = thread::scope(|scope| {
             let browser = || self.browser.get_or_init(|| Running::start(path));
             let starting = scope.spawn(browser);
@@ -180,7 +174,6 @@ impl Shared {
 
 pub struct Book {
     folder: TempDir,
-    /// By their paths within it.
     pub pages: Vec<String>,
     visits: OnceLock<Seen<BTreeMap<String, Visit>>>,
 }

@@ -124,7 +124,6 @@ pub fn sliders(page: &mut Page, book: &Book) -> Seen {
     none(late)
 }
 
-/// In less than the time that it is shown.
 pub fn frames(page: &mut Page, book: &Book) -> Seen {
     let mut late = Vec::new();
     for name in PAGES.map(crate::explorers::name_on) {
@@ -234,7 +233,6 @@ pub fn paper(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// A number in the text, a symbol.
 pub fn cards(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address(&format!("{}.html", CHAPTERS[7])))?;
     let mut wrong = Vec::new();

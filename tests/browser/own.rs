@@ -95,7 +95,6 @@ pub fn scenes(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// It ends where the explorer's motion does.
 pub fn as_scenes(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     let ask = |number, given| answer(number, given).map_err(|error| error.to_string());

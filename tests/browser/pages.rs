@@ -17,7 +17,6 @@ pub fn load(page: &mut Page, book: &Book) -> Seen {
     none(found.collect())
 }
 
-/// Every fragment, too, to a place in its file.
 pub fn links(page: &mut Page, book: &Book) -> Seen {
     let (root, visits) = (book.address(""), visits(page, book)?);
     let leads = |address: &str| {
@@ -361,7 +360,6 @@ pub fn filters(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// Of earlier books; without scripts to the page.
 pub fn moved(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for scripts in [true, false] {
@@ -395,7 +393,6 @@ pub fn moved(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// Without a mouse.
 pub fn contents(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("index.html"))?;
     page.value("document.querySelector('button[aria-controls=mdbook-sidebar]').focus()")?;

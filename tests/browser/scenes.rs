@@ -8,12 +8,10 @@ use serde_json::Value;
 use slipbook::explorers::{Answer, answer};
 
 const PICTURES: [usize; 7] = [0, 7, 40, 111, 205, 333, 477];
-/// In the units of the picture.
 const OFF: f64 = 0.11;
 /// For a velocity of 1.
 const ARROW: f64 = 44.0;
 
-/// With its arrows and spokes.
 #[derive(Debug, serde::Deserialize)]
 struct Drawn {
     bodies: Vec<[f64; 2]>,
@@ -65,7 +63,6 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
         [0.7, 120.0, 0.0, 0.0],
         |film, i| {
             let [u, v] = film.curves[1][i];
-            // The block, and the one on a table at rest.
             let both = [&film.curves[0], &film.curves[2]];
             let ends = |k: usize| {
                 let all = both.into_iter().flatten().map(|place| place[k]);

@@ -9,19 +9,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 pub struct Visit {
-    /// With requests to anywhere but the disk.
     pub complaints: Vec<String>,
-    /// For fragments.
     pub places: BTreeSet<String>,
     /// As the browser resolves them.
     pub addresses: Vec<String>,
-    /// Also for who does not see them.
     pub labels: Vec<String>,
     /// Whether each is seen, and whether the still figure is.
     pub explorers: Value,
-    /// On a screen of 390 pixels, of a chapter.
     pub width: Value,
-    /// Rules of accessibility, of a chapter.
     pub broken: Vec<String>,
 }
 

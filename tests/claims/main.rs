@@ -150,7 +150,6 @@ fn none(found: &[String], mend: &str) -> Result<(), Failed> {
     }
 }
 
-/// And what disagrees is shown.
 fn sentences(ledger: &Ledger) -> Result<(), Failed> {
     let bad = |text: &String| {
         let formulas = text.matches('$').count().is_multiple_of(2);
@@ -191,7 +190,6 @@ fn sentences(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// Directly or through others.
 fn rests_on(claim: &Claim, id: &str) -> bool {
     let below = |on: &&str| **on == *id || rests_on(PAPER.find(on).expect("a claim").1, id);
     claim.depends_on.iter().any(below)
@@ -273,7 +271,6 @@ fn values(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// By its LaTeX.
 fn term(latex: &str, at: &BTreeMap<&str, f64>) -> Option<f64> {
     match latex {
         "0" => Some(0.0),
@@ -377,7 +374,6 @@ fn reading(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// Of another verdict, its sheet tells all.
 fn as_recorded(ledger: &Ledger) -> Vec<&Entry> {
     let record = Record::parse(&PAPER.record).expect("the record can be read");
     let changed = record.differences(ledger);
@@ -456,7 +452,6 @@ fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
     all_asked(proofs.len(), read, "formulas that proofs read")
 }
 
-/// Also with reasons for nothing.
 fn excused(
     found: impl Iterator<Item = String>,
     given: impl Iterator<Item = String>,
@@ -477,7 +472,6 @@ fn all_asked(asked: usize, there: usize, what: &str) -> Result<(), Failed> {
     }
 }
 
-/// But those for which a reason is given.
 fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
     let variants = PAPER.formulas.variants();
     let rejected = ledger.rejected(&variants);
@@ -527,7 +521,6 @@ fn shown(ledger: &Ledger) -> Result<(), Failed> {
     none(&idle.collect::<Vec<_>>(), "leave out what is not shown")
 }
 
-/// But for the README's picture.
 fn stale() -> Result<(), Failed> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
     for topic in PAPER.topics {

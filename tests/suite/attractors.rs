@@ -68,7 +68,6 @@ const STEPS: usize = 20_000;
 /// From one phase looked at to the next, but at a jump.
 const JUMP: f64 = 1e-2;
 
-/// By their definition.
 fn seen(drive: &Drive, found: &Attractor) -> Margins {
     let (list, friction) = (found.intervals(), found.friction());
     let mut margins = Margins {
@@ -196,7 +195,6 @@ fn a_period_is_listed_once_from_where_it_is_said_to_begin() {
         if list.len() == 1 {
             continue;
         }
-        // A rest before forward motion, a rest, w rising.
         let rank = |i: usize| match (list[(i + list.len() - 1) % list.len()].sign, list[i].sign) {
             (Sign::Rest, Sign::Positive) => 0,
             (Sign::Rest, _) => 1,
@@ -289,7 +287,6 @@ fn a_settled_motion_is_as_certain_as_it_says() {
     assert_eq!(found.uncertainty(), f64::INFINITY);
 }
 
-/// By plain following.
 #[test]
 fn the_periods_to_the_large_time_motion_are_those_that_it_takes() {
     let mut kinds = [0; 2];

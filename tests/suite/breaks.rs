@@ -5,7 +5,6 @@ use serde_json::{Value, json, to_value};
 use slipbook::breaks::{TOPICS, answer, breaks, claims, made};
 use std::collections::BTreeMap;
 
-/// JSON behind its length.
 fn read(bytes: &[u8]) -> Value {
     let (length, json) = bytes.split_at(4);
     let length = u32::from_le_bytes(length.try_into().unwrap());
@@ -46,7 +45,6 @@ fn the_module_in_the_page_is_made_of_these_formulas_and_trials() {
     );
 }
 
-/// By more than the last digits of a number.
 fn difference(was: &Value, now: &Value) -> Option<String> {
     let all = |value: &Value| -> Vec<Value> {
         match value {

@@ -89,7 +89,6 @@ fn obeys(curve: &Curve, h: impl Fn(f64) -> f64, plus: f64, minus: f64) {
         };
         moves += 1;
         let middle = (h(from + 1e-9) + 4.0 * h(0.5 * (from + to)) + h(to - 1e-9)) / 6.0;
-        // A jump of the drive within a step.
         let jump = (h(to - 1e-9) - h(from + 1e-9)).abs() > 0.5;
         assert!(
             jump || (next - w - (middle + rate) * step).abs() < 1e-6,
@@ -244,7 +243,6 @@ fn the_path_on_the_table_is_shown_until_rest_or_for_the_time_asked() {
     ));
 }
 
-/// Relative to the larger of the two.
 #[test]
 fn the_disagreement_of_an_answer_is_that_of_its_two_ways() {
     for lambda0 in [0.1, 0.3, 0.6, 0.8] {

@@ -80,7 +80,6 @@ fn a_ball_lies_inside_another_if_both_of_its_ends_do() {
     }
 }
 
-/// And says little more than they do.
 #[test]
 fn the_radius_at_rest_of_a_box_of_starts_is_that_of_its_motions() {
     type Place = fn(f64) -> Start;

@@ -12,7 +12,6 @@ fn all() -> impl Iterator<Item = &'static Claim> {
     PAPER.claims().map(|(_, claim)| claim)
 }
 
-/// One a line.
 fn none(offences: Vec<String>) {
     let count = offences.len();
     assert!(count == 0, "{count} offences:\n{}", offences.join("\n"));

@@ -80,7 +80,6 @@ fn a_book_is_not_written_where_nobody_looks_for_it() {
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
-/// What the line leaves idle is refused.
 #[test]
 fn no_option_is_given_in_vain() {
     let cases = include_str!("command/vain.txt").lines();
@@ -140,7 +139,6 @@ fn a_plot_is_a_file_that_is_replaced_whole() {
     }
     let nowhere = plot(&folder.path().join("none/path.svg"));
     assert!(text(&nowhere.stderr).contains("there is no such folder"));
-    // The folder of this test has such a name itself.
     let own = |complaint: &str| complaint.replace(folder.path().to_str().unwrap(), "");
     for (nowhere, why) in [
         (file.join("below.svg"), "below.svg"),
@@ -216,7 +214,6 @@ fn every_command_has_help_with_an_example() {
         assert_eq!(output.status.code(), Some(0), "{command}");
         let help = text(&output.stdout);
         assert!(help.contains(&format!("slipbook {command}")), "{command}");
-        // What is its own first, what all take last.
         let common = help.find("      --json").unwrap();
         assert!(help[common..].find(" <RANGE>").is_none(), "{help}");
     }
@@ -534,7 +531,6 @@ fn long_work_stops_in_good_order() {
     }
 }
 
-/// After half a second.
 #[cfg(unix)]
 fn interrupted(line: &str) -> Output {
     let child = Command::new(env!("CARGO_BIN_EXE_slipbook"))
@@ -552,7 +548,6 @@ fn interrupted(line: &str) -> Output {
     output
 }
 
-/// With the claims that were tried.
 #[cfg(unix)]
 #[test]
 fn trials_stop_in_good_order() {
@@ -690,7 +685,6 @@ fn each_round_has_points_of_its_own() {
     assert_eq!(rounds.len(), all);
 }
 
-/// With fewer particles.
 #[test]
 fn ensembles_on_the_pages_run() {
     let mut count = 0;

@@ -11,7 +11,6 @@ use trialbook::certified::interval::Interval;
 /// As stated, else the open unit interval, where the paper's ratios lie.
 fn range(claim: &str, letter: &str) -> [f64; 2] {
     match (claim, letter) {
-        // λ_c is 0.537.
         ("eq-36", "λ₀") => return [0.54, 1.0],
         ("eq-41", "λ₀") => return [0.0, 0.53],
         _ => {}
@@ -24,7 +23,6 @@ fn range(claim: &str, letter: &str) -> [f64; 2] {
     })
 }
 
-/// Strictly within.
 fn sixteenths([low, high]: [f64; 2]) -> Vec<f64> {
     let all = (-64..=96).map(|n| f64::from(n) / 16.0);
     all.filter(|x| low < *x && *x < high).collect()
@@ -72,7 +70,6 @@ fn is_of_domain(claim: &str, n: usize) -> bool {
     }
 }
 
-/// In all components.
 fn has_value(claim: &str, formula: &Formula<Interval>, n: usize) -> bool {
     let letters = formula.symbols.iter();
     let point: Vec<_> = letters

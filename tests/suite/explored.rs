@@ -158,7 +158,6 @@ fn a_throw_is_that_of_the_paper() {
     }
 }
 
-/// With its sum, and the sum of that.
 struct Shaken {
     h: Box<dyn Fn(f64) -> f64>,
     sum: Box<dyn Fn(f64) -> f64>,
@@ -238,7 +237,6 @@ impl Shaken {
         assert!(10 * held > 8 * curve.len(), "{what}: {held}");
     }
 
-    /// By its intervals alone.
     fn periodic(&self, values: &[f64], curve: &[[f64; 2]], friction: [f64; 2], what: &str) {
         let [mean, largest, rest, count] = values[..4] else {
             panic!("{what}: {values:?}")
@@ -573,7 +571,6 @@ fn a_block_across_the_stroke_is_that_of_the_ball() {
 fn a_lost_coin_goes_away_as_in_the_laboratory() {
     for rho in [0.9, 1.0, 1.1, 1.5, 2.0] {
         let curve = &put(10, [rho, 0.0, 0.0, 0.0]).curves[0];
-        // At rest in the laboratory.
         let start = State {
             t: 0.0,
             x: [rho, 0.0],

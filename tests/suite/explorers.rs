@@ -321,7 +321,6 @@ fn the_guesses_have_the_answers_that_are_given() {
     let thrown = turntable::motion(0.0, [1.5, 0.0]).unwrap().curves;
     let side = |curve: &[[f64; 2]]| curve[40][1];
     assert!(side(&thrown[0]) < -0.1 && side(&thrown[1]) > 0.1);
-    // A hair apart.
     let put_down = |rho: f64| turntable::motion(rho, [0.0, -rho]).unwrap().values[0];
     assert_eq!([0.87, 0.88].map(put_down), [1.0, 0.0]);
     // Forwards for two thirds of the time where friction is half as strong.
@@ -332,7 +331,6 @@ fn the_guesses_have_the_answers_that_are_given() {
     });
     assert!(drifts.windows(2).all(|two| two[0].0 > two[1].0));
     assert!((drifts[0].0 - 0.5).abs() < 1e-2 && (drifts[0].1 - 2.0 / 3.0).abs() < 1e-2);
-    // 2/7 of the floor's way, with it.
     let film = sphere::film(1.5, 0.4, [-1.0, 0.0]).unwrap().curves;
     let late: Vec<_> = film[0].iter().skip(240).collect();
     let [first, ..] = late[..] else {

@@ -7,7 +7,6 @@ use trialbook::data::{Text, text};
 
 const PAGE: Text = text!("book/src/json.md");
 
-/// Each with its types.
 type Shape = BTreeMap<String, BTreeSet<String>>;
 
 struct Section {
@@ -144,7 +143,6 @@ fn every_field_is_described_and_every_described_field_is_written() {
 
 #[test]
 fn places_are_counted_as_the_page_says() {
-    // Four of the five digits are right.
     let found = written("find 0.53701 --json");
     let best = &found["matches"][0];
     assert_eq!(

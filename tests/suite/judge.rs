@@ -310,7 +310,6 @@ fn a_root_at_an_end_is_that_end() {
     assert_eq!([at(2.0, 3.0), at(1.0, 2.0)], [2.0; 2]);
 }
 
-/// In the same order.
 #[test]
 fn the_page_gives_the_rules_of_the_judge() {
     let page = text!("book/src/methods.md").as_str();

@@ -37,7 +37,6 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 use wasmi::{Engine, Instance, Linker, Module, Store, WasmParams};
 
-/// Made once, or each test says why it is not.
 struct Made<T>(LazyLock<Result<T, String>>);
 
 impl<T> Deref for Made<T> {
@@ -53,14 +52,12 @@ static LEDGER: Made<Ledger> = Made(LazyLock::new(|| {
     Ok(Ledger::try_all(&PAPER, |_| {}))
 }));
 
-/// As the main job writes it.
 static BOOK: Made<PathBuf> = Made(LazyLock::new(|| {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
     let job = slipbook(&["--quiet", "--out", out.to_str().expect("a name")]);
     succeeded(&job).map(|()| out)
 }));
 
-/// Else what was said, and what to do.
 fn succeeded(output: &Output) -> Result<(), String> {
     let said = [&output.stdout, &output.stderr].map(|said| String::from_utf8_lossy(said));
     match output.status.code() {
@@ -73,7 +70,6 @@ fn succeeded(output: &Output) -> Result<(), String> {
     }
 }
 
-/// In the folder of the recordings.
 fn slipbook(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_slipbook"));
     let there = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
@@ -81,7 +77,6 @@ fn slipbook(arguments: &[&str]) -> Output {
     command.output().expect("it runs")
 }
 
-/// By their names alone.
 fn snapshots(folder: &str) -> insta::Settings {
     let all = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
     let mut settings = insta::Settings::clone_current();
@@ -102,7 +97,6 @@ fn cells(line: &str) -> Vec<String> {
     cells.map(|cell| cell.replace('"', "")).collect()
 }
 
-/// As a page runs it.
 struct Page {
     store: Store<()>,
     instance: Instance,
@@ -118,7 +112,7 @@ impl Page {
         Page { store, instance }
     }
 
-    /// In words; from where the answer stands.
+    /// Asked in words.
     fn tell(&mut self, question: &str) -> &[u8] {
         let function = self.instance.get_typed_func(&self.store, "room").unwrap();
         let at: u32 = function
@@ -131,7 +125,6 @@ impl Page {
         self.call("tell", ())
     }
 
-    /// From where the answer stands.
     fn call(&mut self, name: &str, given: impl WasmParams) -> &[u8] {
         let function = self.instance.get_typed_func(&self.store, name).unwrap();
         let at: u32 = function.call(&mut self.store, given).unwrap();

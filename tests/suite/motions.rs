@@ -153,7 +153,6 @@ fn a_velocity_has_a_direction_when_it_first_points_there() {
     let free = run(&Plane::constant([-1.0, 0.0]), 0.0, start, 8.0).unwrap();
     for angle in [2.5_f64, 2.0, 1.5, 1.0, 0.3, 0.1] {
         let n = [3.0 * libm::cos(angle), 3.0 * libm::sin(angle)];
-        // v = (−1 + (t − 2), 1/2).
         let expected = 2.0 + 1.0 + 0.5 * n[0] / n[1];
         let found = free.first_along(n).unwrap();
         if (2.0..=8.0).contains(&expected) {

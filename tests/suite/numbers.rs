@@ -26,11 +26,9 @@ fn a_number_is_found_by_its_digits_sign_and_size() {
     ] {
         assert_eq!(found(number), [("lambda-c", right, None, None)], "{number}");
     }
-    // Rounded up: the last digit is one more.
     assert_eq!(found("0.53703"), [("lambda-c", 5, None, None)]);
     assert_eq!(found("0.5370293"), [("lambda-c", 7, None, None)]);
     assert_eq!(found("0.07856742013"), [("s", 10, None, None)]);
-    // From the first wrong digit on.
     assert_eq!(found("0.53709"), [("lambda-c", 4, Some(5), Some(6))]);
     // Two right digits are too few.
     assert!(found("0.53802927").is_empty());

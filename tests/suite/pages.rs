@@ -46,7 +46,6 @@ fn the_letters_can_be_sent() {
     assert!(!latex.contains("$$") && latex.matches('$').count() % 2 == 0);
 }
 
-/// And nothing else.
 #[test]
 fn the_letter_names_every_error() {
     let links = PAPER.letter.replace("{{right ", "](#");
@@ -125,7 +124,6 @@ fn no_formula_of_a_trial_stands_bare() {
     assert!(bare_ones.is_empty(), "{bare_ones:#?}");
 }
 
-/// And no formula breaks off before a sign.
 #[test]
 fn steps_of_proofs_are_sentences() {
     let of = |e: &Evidence| {

@@ -8,7 +8,6 @@ use slipbook::motion::drive::{Drive, DriveState, Friction, Interval, Sign};
 use slipbook::paper::sinusoidal;
 use std::f64::consts::{PI, TAU};
 
-/// Within a turn of `near`.
 fn moved(intervals: &[Interval], sign: Sign, near: [f64; 2]) -> [f64; 2] {
     let found = intervals.iter().find(|i| i.sign == sign);
     found.map_or([near[1]; 2], |i| {

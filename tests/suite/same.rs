@@ -6,7 +6,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// The other process has many.
 #[test]
 fn one_thread_and_many_give_the_same_ledger_and_the_same_book() {
     let folder = tempfile::tempdir().unwrap();
@@ -35,7 +34,6 @@ fn one_thread_and_many_give_the_same_ledger_and_the_same_book() {
 /// It is tried in the deep tier.
 const OF_RECORDS: [&str; 2] = ["digits", "rest-fates"];
 
-/// The snapshot shows the difference.
 #[test]
 fn the_figures_are_the_recorded_ones() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/figures");

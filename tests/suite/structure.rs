@@ -56,7 +56,6 @@ const CRATES: [(&str, &str); 3] = [
     ("src", OF_THE_PAPER),
 ];
 
-/// Each with the names behind it.
 fn rows(table: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
     table.lines().filter_map(|row| row.trim().split_once(':'))
 }

@@ -60,7 +60,6 @@ fn the_record_is_of_these_files() {
     );
 }
 
-/// Nothing is left open.
 #[test]
 fn theorems_rest_on_what_is_said() {
     for accepted in &known().record {

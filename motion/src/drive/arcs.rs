@@ -23,11 +23,9 @@ pub(super) struct Mark {
 pub(super) struct Walker<'d> {
     shape: &'d Piecewise,
     friction: Friction,
-    /// What counts as equal to a level of h.
     level: f64,
     /// What counts as touching zero.
     touch: f64,
-    /// A multiple of 2π.
     turn: f64,
     piece: usize,
     s: f64,
@@ -86,7 +84,6 @@ impl<'d> Walker<'d> {
         self.sign.factor() * self.u
     }
 
-    /// Since the last period began.
     pub(super) fn contraction(&self) -> f64 {
         self.contraction
     }
@@ -119,7 +116,6 @@ impl<'d> Walker<'d> {
         self.turn += TAU;
     }
 
-    /// Ahead in the present turn.
     pub(super) fn run_to(&mut self, (piece, s): (usize, f64), marks: &mut Vec<Mark>) {
         self.begin(marks);
         while self.piece < piece {

@@ -67,11 +67,11 @@ pub struct Attractor<'d> {
 /// Whether several starts lead to the same motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Agreement {
-    /// Largest difference of w between the first start's motion and any other's, over 64 phases.
+    /// Of w, between the first start's motion and any other's, over 64 phases.
     pub largest_difference: f64,
-    /// Whether it is within what the motions' own uncertainties allow (at least 1e-12).
+    /// Within what the motions' own uncertainties allow (at least 1e-12).
     pub agree: bool,
-    /// The most periods that one of the starts needed by plain following, where known.
+    /// Of the starts, by plain following, where known.
     pub most_periods: Option<u64>,
 }
 
@@ -304,12 +304,12 @@ impl<'d> Attractor<'d> {
         self.residual
     }
 
-    /// By what factor a small distance to this motion shrinks per period: 0 with rest, 1 if neutral.
+    /// By this factor a small distance to the motion shrinks per period: 0 with rest, 1 if neutral.
     pub fn contraction(&self) -> f64 {
         self.contraction
     }
 
-    /// Largest error of w that the residual and rounding allow; infinite for a neutral motion.
+    /// Of w, by the residual and rounding; infinite for a neutral motion.
     pub fn uncertainty(&self) -> f64 {
         if self.contraction >= 1.0 {
             return f64::INFINITY;
@@ -327,7 +327,6 @@ impl<'d> Attractor<'d> {
         self.periods
     }
 
-    /// Over 64 phases.
     fn apart(&self, other: &Self) -> f64 {
         let phases = (0..64).map(|k| TAU * f64::from(k) / 64.0);
         phases

@@ -1,4 +1,4 @@
-//! The list of intervals in which the motion is positive, negative or at rest.
+//! Intervals at most this long (radians) are not listed.
 
 use super::arcs::Mark;
 use std::f64::consts::TAU;
@@ -79,7 +79,6 @@ pub(super) fn between(marks: &[Mark], until: f64) -> Vec<Interval> {
     list
 }
 
-/// Away from the ends of the stretch.
 pub(super) fn drops_one(marks: &[Mark], until: f64) -> bool {
     marks.windows(2).any(|pair| {
         pair[1].phi - pair[0].phi <= ZERO_LENGTH

@@ -7,17 +7,16 @@ use super::{
 };
 use std::f64::consts::TAU;
 
-/// How near a periodic motion is to one with another list of intervals. Infinite where nothing can change
-/// in that way.
+/// How near a periodic motion is to one with another list of intervals; infinite where nothing can change so.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
     /// Length of the shortest interval (radians): at 0 it disappears.
     pub shortest: f64,
-    /// Smallest |w| of a minimum inside an interval of motion: at 0 the interval is cut in two.
+    /// Smallest |w| of a minimum inside a motion: at 0 it is cut in two.
     pub dip: f64,
-    /// By how much |h| exceeds the friction, at the least, where w changes sign: at 0 a rest appears.
+    /// Least |h| beyond friction where w changes sign: at 0 a rest appears.
     pub crossing: f64,
-    /// By how much an extremum of h inside a rest stays within [−λ₋, λ₊]: at 0 a motion appears.
+    /// Least distance of an extremum of h inside a rest from λ₊ and −λ₋: at 0 a motion appears.
     pub hold: f64,
 }
 
@@ -36,8 +35,7 @@ struct Stretch {
 const ROUNDED: f64 = 1e-14;
 
 impl Attractor<'_> {
-    /// Where |w| is largest, and w there; the phase in [0, 2π). At rest for ever: w = 0 at phase 0. Visits every piece of the
-    /// drive once.
+    /// Where |w| is largest, and w there; the phase in [0, 2π). At rest for ever: w = 0 at phase 0.
     pub fn largest(&self) -> DriveState {
         let mut best = DriveState { phi: 0.0, w: 0.0 };
         self.walk(|interval, stretch| {
@@ -60,7 +58,7 @@ impl Attractor<'_> {
         best
     }
 
-    /// ∫ w dφ over one period: the displacement, dimensionless. Divided by 2π, the mean velocity.
+    /// ∫ w dφ over one period, dimensionless. Divided by 2π, the mean velocity.
     pub fn displacement(&self) -> f64 {
         let [forward, backward] = self.distances();
         forward - backward
@@ -162,7 +160,6 @@ impl Attractor<'_> {
         margins
     }
 
-    /// Where w of this sign has its extrema.
     fn level(&self, sign: Sign) -> f64 {
         match sign {
             Sign::Positive => self.friction.plus(),

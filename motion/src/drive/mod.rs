@@ -148,7 +148,7 @@ pub struct Drive {
 pub struct DrivePath {
     /// The state at the end.
     pub end: DriveState,
-    /// What happened, in order, from the start's phase to the end's (not reduced modulo 2π).
+    /// What happened, in order; phases are not reduced modulo 2π.
     pub intervals: Vec<Interval>,
     /// By what factor a small change of the initial w has shrunk: 0 after a rest.
     pub contraction: f64,

@@ -38,7 +38,7 @@ pub struct PlanarState {
     pub phi: f64,
     /// The velocity along the drive.
     pub w_x: f64,
-    /// The logarithm of the velocity across the drive; −∞ where that is exactly 0 (or below about e^−1e290).
+    /// ln w_y; −∞ where w_y is 0 (or below about e^−1e290).
     pub ln_w_y: f64,
 }
 
@@ -112,7 +112,6 @@ struct Layer<'p> {
 
 #[derive(Default)]
 struct Work {
-    /// Of the exponentials.
     exponentials: [[f64; TERMS]; 2],
     /// In powers of the distance from the begin of the step.
     h: Vec<f64>,
@@ -240,7 +239,6 @@ impl<'d> Flight<'d> {
         }
     }
 
-    /// At most to `s = end`.
     fn step(&mut self, piece: &Piece, end: f64) -> Result<(), DriveError> {
         let [s, a, b] = self.state;
         if a.max(b) < DEEP {

@@ -174,7 +174,6 @@ proptest! {
                         _ => drive.shape().antiderivative(now.end) - drive.shape().antiderivative(now.start),
                     };
                 }
-                // Over one period w returns.
                 prop_assert!(net.abs() < 1e-11, "{net}");
                 let after = drive.strobe(friction, DriveState { phi, w: found.w(phi) }, 3).unwrap();
                 let allowed = 1e-11 + 10.0 * found.residual();
@@ -229,7 +228,6 @@ fn lengths_of_zero_inside_a_stretch_are_noticed() {
     assert!(drops(&[1.0, 2.0, 2.0]) && drops(&[0.5, 1.0, 3.0, 3.0, 4.0]));
     assert!(!drops(&[1.0, 2.0, 3.0]) && !drops(&[1.0]));
     assert!(drops(&[0.125, 0.5, 0.5 + 0.9e-14]) && !drops(&[0.125, 0.5, 0.5 + 1.1e-14]));
-    // Not at the ends.
     assert!(!drops(&[1.0, 1.0, 2.0]) && !drops(&[1.0, 7.0, 7.0]));
 }
 

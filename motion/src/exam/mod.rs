@@ -27,8 +27,7 @@ use crate::scene::SceneError;
 use serde::Serialize;
 use trialbook::certified::{enclosure::Enclosure, error::CertifiedError, interval::Interval};
 
-/// A set-up, a question with one answer, and two ways to it. All quantities are dimensionless, in the units that the
-/// set-up names.
+/// A set-up, a question, and two ways to its answer. Dimensionless, in the units that the set-up names.
 #[derive(Debug)]
 pub struct Task {
     /// Name, unique.
@@ -39,8 +38,8 @@ pub struct Task {
     pub posed: posed::Posed,
     /// The question.
     pub question: &'static str,
-    /// The unit of the number that answers it, in the quantities of the set-up (ω being the angular frequency of a pull
-    /// that repeats); empty for an order.
+    /// Of the number that answers it, in the quantities of the set-up (ω is the angular frequency of a pull that repeats); empty
+    /// for an order.
     pub unit: &'static str,
     motion: fn() -> Result<Answer, ExamError>,
     other: Other,
@@ -237,7 +236,7 @@ impl std::fmt::Display for Answer {
 }
 
 impl Sat {
-    /// The answer with the decimals that its error leaves, at most fifteen digits; without its unit.
+    /// With the decimals that its error leaves, at most fifteen digits; without its unit.
     pub fn text(&self) -> String {
         let (Answer::Number(x), Some(error)) = (&self.answer, self.error) else {
             return self.answer.to_string();
@@ -261,7 +260,7 @@ impl Sat {
         }
     }
 
-    /// How far the followed motion is from the answer; nothing for an order.
+    /// Of the followed motion from the answer; nothing for an order.
     pub fn deviation(&self) -> Option<f64> {
         match (&self.motion, &self.answer) {
             (Answer::Number(x), Answer::Number(y)) => Some((x - y).abs()),

@@ -5,7 +5,7 @@ use crate::numerics::error::plain;
 use crate::scene::{Doing, Moment, Moved, Scene, SceneError, Second, Until};
 use serde::Serialize;
 
-/// How long a body lies still on a level floor that nothing moves, before t = 0: the contacts of an engine settle in it. In s.
+/// In s: how long a body lies still on a level floor before t = 0, for the contacts of an engine to settle.
 pub const SETTLE: f64 = 0.5;
 
 /// A word of a scene and its text.
@@ -23,7 +23,6 @@ pub struct Posed {
     pub scan: Option<Scan>,
     /// What is asked.
     pub ask: Ask,
-    /// The scenes of which the same is asked.
     pub grid: Option<Grid>,
 }
 
@@ -90,7 +89,7 @@ pub struct Cell {
     pub words: Vec<Word>,
     /// The answer.
     pub answer: Answer,
-    /// An interval that holds it, by the error that [`Scene::answer`] states; none of an order.
+    /// By the error that [`Scene::answer`] states; none of an order.
     pub interval: Option<[f64; 2]>,
 }
 
@@ -385,7 +384,6 @@ impl Posed {
             .into_iter()
             .filter(|part| part.from >= from);
         let letters: String = parts.map(|part| part.letter).collect();
-        // A period, read round.
         let first = letters
             .find('F')
             .ok_or(ExamError::Missing("a motion forward"))?;

@@ -11,7 +11,6 @@ use crate::validated::numbers;
 use crate::{PhaseKind, Plane, Signal, run};
 use std::f64::consts::{PI, TAU};
 
-/// But for its numbers.
 macro_rules! ratchet {
     ($numbers:literal) => {
         concat!(
@@ -211,7 +210,6 @@ fn order_when_tilted(q: f64, lambda: f64) -> Result<String, ExamError> {
         };
         letters.push(letter);
     }
-    // From one forward motion to the next.
     let mut forward = letters
         .iter()
         .enumerate()

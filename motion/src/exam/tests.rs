@@ -207,7 +207,6 @@ fn a_wrong_word_in_a_scene_is_noticed() {
             let Ok(number) = text.parse::<f64>() else {
                 continue;
             };
-            // Of a ball on a plane, it drops out.
             if name == "radius" {
                 continue;
             }

@@ -154,7 +154,6 @@ pub(super) const SIDEWAYS: Task = Task {
     }),
 };
 
-/// A pull sin t along x.
 fn shaking() -> Plane {
     let sine = Signal::Sine {
         frequency: 1.0,

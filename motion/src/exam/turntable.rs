@@ -9,7 +9,6 @@ use crate::turntable::{
 use crate::validated::turntable::{Fate as Proved, fate_launched, fate_put_down};
 use trialbook::certified::{error::CertifiedError, interval::Interval};
 
-/// But for how the coin gets there.
 macro_rules! table {
     ($start:literal) => {
         concat!(
@@ -35,7 +34,6 @@ const fn bordered(scene: &'static str, unit: &'static str) -> Posed {
     }
 }
 
-/// To which a border is followed.
 const WIDTH: f64 = 1e-13;
 
 /// Half the width of what is not proved to rest or to escape by the book's proof (`book/src/rest.md`).
@@ -98,7 +96,6 @@ pub(super) const PLACE_OF_REST: Task = Task {
     }),
 };
 
-/// When the escape is looked at.
 const LATE: f64 = 20.0;
 
 /// In components along and across the velocity, and in axes at rest in the laboratory.

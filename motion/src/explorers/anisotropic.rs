@@ -4,8 +4,7 @@ use super::{Answer, ExplorerError, spread, tray};
 use crate::drive::{Drive, DriveError, DriveState, Friction, Interval, Sign};
 use std::sync::LazyLock;
 
-/// The manners of the periodic motion by the order of a period's intervals, forwards, backwards and rest: the
-/// regions I to V.
+/// The orders of a period's intervals in the regions I to V.
 pub const MANNERS: [&[Sign]; 5] = {
     use Sign::{Negative as N, Positive as P, Rest as O};
     [&[P, N], &[P, N, O], &[P, O, N, O], &[P, O], &[O]]

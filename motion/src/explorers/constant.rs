@@ -8,7 +8,6 @@ use std::f64::consts::PI;
 const WHILE: f64 = 10.0;
 /// On a path, at most.
 const MARKS: u32 = 200;
-/// Every 30°.
 const DIRECTIONS: u32 = 12;
 
 /// The motion with friction λ from the launch angle `theta`, in degrees in (−180, 180].

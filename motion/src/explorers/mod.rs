@@ -20,7 +20,7 @@ use crate::drive::DriveError;
 pub struct Answer {
     /// The values, in the order that the question names.
     pub values: Vec<f64>,
-    /// The curves, point by point, in the order that the question names.
+    /// Point by point, in the order that the question names.
     pub curves: Vec<Vec<[f64; 2]>>,
 }
 
@@ -60,7 +60,7 @@ pub enum ExplorerError {
 /// A question with its arguments; those that it has no use for are ignored.
 pub type Question = fn([f64; 4]) -> Result<Answer, ExplorerError>;
 
-/// The questions, by the number under which the browser puts them.
+/// By the number under which the browser puts them.
 pub const QUESTIONS: [Question; 14] = [
     |[lambda, theta, ..]| constant::motion(lambda, theta),
     |[lambda, ..]| constant::portrait(lambda),
@@ -87,7 +87,6 @@ pub fn answer(number: usize, arguments: [f64; 4]) -> Result<Answer, ExplorerErro
     question.ok_or(ExplorerError::Question { number })?(arguments)
 }
 
-/// In a film, beside the first.
 const PICTURES: u32 = 480;
 
 fn flag(truth: bool) -> f64 {

@@ -4,7 +4,6 @@ use super::{Answer, ExplorerError, PICTURES, spread};
 use crate::drive::{Attractor, Drive, DriveError, DriveState, Friction, Interval, Sign};
 use std::f64::consts::TAU;
 
-/// Of the motion from the start.
 const SHOWN: f64 = 4.0;
 /// Far more than any motion here takes to become periodic.
 const PERIODS: u32 = 200;

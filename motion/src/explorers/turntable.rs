@@ -5,7 +5,6 @@ use crate::MotionError;
 use crate::turntable::{Fate, Start, State, Table, fate, fate::rests, intrinsic, rotating};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Time between the points of a path.
 const STEP: f64 = 0.04;
 const LONGEST: f64 = 60.0;
 const FARTHEST: f64 = 6.0;
@@ -189,7 +188,6 @@ mod tests {
     #[test]
     fn a_growth_ends_with_the_rest() {
         let shown = |rho| growth(rho).unwrap().curves.remove(0);
-        // The critical radius is 0.8719….
         let Fate::Rest { sigma, tau, .. } = fate(&Start::put_down(0.8719).unwrap()).unwrap() else {
             panic!("it comes to rest")
         };

@@ -6,14 +6,14 @@ use crate::measure::median;
 /// What an accelerometer has written, in s and m/s².
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Recording {
-    /// Times, which rise, with A_x and A_y: [`Fitted::from_table`](super::Fitted::from_table) takes them as they are.
+    /// Times, which rise, with A_x and A_y, as [`Fitted::from_table`](super::Fitted::from_table) takes them.
     pub rows: Vec<(f64, [f64; 2])>,
-    /// A_z, along the normal of the floor, at the same times, if there is such a column.
+    /// A_z, along the normal of the floor, if there is such a column.
     pub normal: Option<Vec<f64>>,
 }
 
 impl Recording {
-    /// The text of a file: in UTF-8, or as Windows writes it, in UTF-16 with its mark or in Latin-1.
+    /// A file's text: in UTF-8, or as Windows writes it, in UTF-16 with its mark or in Latin-1.
     pub fn decoded(file: Vec<u8>) -> String {
         match &file[..] {
             [0xff, 0xfe, rest @ ..] => {
@@ -40,7 +40,7 @@ impl Recording {
         median(self.rows.windows(2).map(|pair| pair[1].0 - pair[0].0))
     }
 
-    /// The first row behind a gap, counted from 0: a step of more than eight usual ones, where rows may have been lost.
+    /// The first row behind a step of more than eight usual ones, counted from 0: rows may have been lost.
     pub fn gap(&self) -> Option<usize> {
         let most = GAP * self.step();
         let long = |pair: &[(f64, [f64; 2])]| most > 0.0 && pair[1].0 - pair[0].0 > most;
@@ -49,10 +49,10 @@ impl Recording {
     }
 }
 
-/// Which columns [`Fitted::from_csv_with`](super::Fitted::from_csv_with) reads, where the head does not say so by itself.
+/// Columns for [`Fitted::from_csv_with`](super::Fitted::from_csv_with), where the head does not say them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Columns<'a> {
-    /// The column of the times: its head, with or without the unit, or its number from 1.
+    /// Of the times: its head, with or without the unit, or its number from 1.
     pub time: Option<&'a str>,
     /// That of A_x. If this or that of A_y is given, the other is zero where it is not.
     pub x: Option<&'a str>,
@@ -60,11 +60,11 @@ pub struct Columns<'a> {
     pub y: Option<&'a str>,
     /// That of A_z, which only a [`Recording`] has.
     pub z: Option<&'a str>,
-    /// Unit of the times in place of the head's: s, ms, us, ns, min or h.
+    /// In place of the head's: s, ms, us, ns, min or h.
     pub time_unit: Option<&'a str>,
-    /// Unit of the accelerations in place of the head's: m/s^2, mm/s^2, cm/s^2, km/s^2, ft/s^2, in/s^2, g or mg.
+    /// In place of the head's: m/s^2, mm/s^2, cm/s^2, km/s^2, ft/s^2, in/s^2, g or mg.
     pub unit: Option<&'a str>,
-    /// Whether gaps are bridged: steps of more than eight times the usual one.
+    /// Steps of more than eight times the usual one are bridged.
     pub gaps: bool,
 }
 
@@ -261,7 +261,6 @@ const SEVERAL: &str =
 
 /// And what they have to be multiplied by to be in s and m/s².
 struct Places {
-    /// A time of the clock needs no unit.
     time: (usize, Option<f64>),
     axes: [Option<(usize, f64)>; 3],
     /// Whether a head says no unit of time, and none of acceleration.

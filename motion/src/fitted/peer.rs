@@ -5,7 +5,6 @@ use super::{
     csv::{of_acceleration, plain, refuse},
 };
 
-/// With A_x and A_y.
 type Rows = Vec<(f64, [f64; 2])>;
 
 /// Among which the number and the step of the values are said.

@@ -58,7 +58,6 @@ impl Clock {
     }
 }
 
-/// Counted from one far back.
 fn day(date: &str) -> Option<i64> {
     let parts: Vec<_> = date.trim().split('-').collect();
     let [a, b, c] = parts[..] else { return None };

@@ -11,7 +11,6 @@ use super::{
 const MOST: usize = 256;
 /// Of the slip's ratio; or to as much more.
 const RISE: f64 = 0.9;
-/// In squares of the noise.
 const FITS: f64 = 2.0;
 
 /// And what the body bears at most, as far as is known.

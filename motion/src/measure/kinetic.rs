@@ -21,9 +21,7 @@ const LEAST: f64 = 0.02;
 const PARTS: usize = 12;
 /// The variance of what nothing is known of, in those of a row.
 const FREE: f64 = 1e8;
-/// In rows before a plateau.
 const BLOW: usize = 16;
-/// The longest plateaus.
 const TRIED: usize = 64;
 /// What is less, as a part of the coefficient, does not speak against Coulomb's law, however sure it is,
 const SLIGHT: f64 = 0.02;
@@ -188,7 +186,6 @@ fn core(piece: &Piece) -> [usize; 2] {
 fn coefficient(sensor: &Sensor, [from, to]: [usize; 2]) -> (f64, f64) {
     let middle = median(sensor.ratio[from..to].iter().copied());
     let off = |k: usize| (sensor.ratio[k] - middle).abs();
-    // For a normal distribution.
     let far = (1.48 * median((from..to).map(off))).max(libm::sqrt(sensor.floor(from)));
     let near = (from..to).filter(|k| off(*k) <= 4.0 * far);
     let sizes = Line::through(near.map(|k| (sensor.n[k], sensor.ratio[k] * sensor.n[k])));

@@ -5,7 +5,6 @@ use std::{
     collections::{BTreeMap, BinaryHeap},
 };
 
-/// Of the shortest piece.
 pub(super) const BLOCK: usize = 4;
 /// So many rows of the noise of all count beside a piece's own rows.
 const BEFORE: f64 = 4.0;
@@ -87,7 +86,6 @@ impl<const N: usize> Squares<N> {
         }
     }
 
-    /// With the variance of that.
     pub(super) fn expected(&self, x: &[f64; N]) -> (f64, f64) {
         (
             dot(x, &self.found),
@@ -169,7 +167,6 @@ pub(super) fn cut(t: &[f64], y: &[f64], noise: f64, penalty: f64) -> Vec<Piece> 
         let (Some(left), Some(right)) = (pieces.get(&a), pieces.get(&b)) else {
             continue;
         };
-        // One of them may have grown since.
         if left.to != b || right.to != to {
             continue;
         }

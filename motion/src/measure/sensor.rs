@@ -12,7 +12,6 @@ const LATEST: f64 = 1e10;
 const QUIET: f64 = 0.25;
 const QUIET_ROWS: usize = 16;
 const QUIETER: f64 = 3.0;
-/// As a part of them.
 pub(crate) const SAME: f64 = 0.06;
 
 pub(crate) struct Sensor {
@@ -25,15 +24,15 @@ pub(crate) struct Sensor {
     pub ratio: Vec<f64>,
     /// Variance of the noise along an axis.
     pub noise: f64,
-    /// By what it multiplies the variance of a mean that neighbours are alike.
+    /// The factor of a mean's variance, as neighbours are alike.
     pub alike: f64,
-    /// Variance of what digits leave out of all rows alike, where noise does not blur them.
+    /// Variance of what digits leave out of all rows alike.
     pub digits: f64,
     pub axes: f64,
     pub zeroed: bool,
     pub measured: bool,
     pub g: f64,
-    /// What has been taken off f since its zeros were known to this variance.
+    /// Taken off f since its zeros were known to this variance.
     pub shifted: [f64; 2],
     pub doubt: f64,
     /// Variance of the zero of N/m.
@@ -153,7 +152,6 @@ impl Sensor {
         self.ratio = self.f.iter().zip(&self.n).map(size).collect();
     }
 
-    /// Of the ratio.
     pub(crate) fn pieces(&self) -> Vec<Piece> {
         let n = median(self.n.iter().copied());
         let penalty = 4.0 * self.alike * libm::log(self.t.len() as f64);
@@ -237,7 +235,6 @@ impl Sensor {
     }
 }
 
-/// With the line of each axis.
 #[derive(Clone, Copy)]
 struct Window {
     rows: [usize; 2],
@@ -247,7 +244,6 @@ struct Window {
 }
 
 impl Window {
-    /// Quiet, level, and small.
     fn is_still(&self, noise: f64, alike: f64, most: f64) -> bool {
         self.lines.iter().all(|line| {
             let (variance, rise) = (line.variance(), line.slope() * line.ty);

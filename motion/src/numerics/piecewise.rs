@@ -146,7 +146,7 @@ impl Piecewise {
         self.integral
     }
 
-    /// The piece that holds the argument `at` in [0, 2π), and the distance from its left end.
+    /// The piece that holds `at` in [0, 2π), and the distance from its left end.
     pub fn locate(&self, at: f64) -> (usize, f64) {
         let cell = (at / TAU * self.cells.len() as f64) as usize;
         let mut index = self.cells[cell.min(self.cells.len() - 1)];
@@ -157,7 +157,7 @@ impl Piecewise {
         (index, (at - piece.start()).clamp(0.0, piece.length()))
     }
 
-    /// The value at any finite argument; at a jump, the limit from the right.
+    /// At any finite argument; at a jump, the limit from the right.
     pub fn value(&self, at: f64) -> f64 {
         let (index, s) = self.locate(at.rem_euclid(TAU));
         self.pieces[index].value(s)
@@ -229,7 +229,6 @@ fn refine(
     Ok(())
 }
 
-/// Well inside its interval.
 fn extrema(fit: &Fit) -> Vec<f64> {
     let length = fit.end - fit.start;
     let unit = fit.coefficients.iter().scan(1.0, |power, c| {

@@ -23,13 +23,13 @@ use crate::numerics::{
 /// A line on a plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
-    /// Its direction, of any length: of the plane's acceleration A only what lies along it counts.
+    /// Of any length: of the plane's acceleration only what lies along it counts.
     pub along: [f64; 2],
     /// Friction of a block that moves, or is pulled, that way,
     pub plus: Friction,
     /// and the other.
     pub minus: Friction,
-    /// Frequency ω of the block on a spring that is relaxed at the origin, without friction, in 1/time; 0 for no spring.
+    /// ω of the block on a spring that is relaxed at the origin, without friction, in 1/time; 0 for no spring.
     pub frequency: f64,
 }
 
@@ -102,7 +102,6 @@ impl Line {
         Ok(0.5 * (self.plus.kinetic * (way + led) + self.minus.kinetic * (way - led)))
     }
 
-    /// Of length 1.
     fn direction(&self) -> Result<[f64; 2], MotionError> {
         let length = libm::hypot(self.along[0], self.along[1]);
         let fit = length.is_finite() && length > 0.0;
@@ -191,7 +190,6 @@ impl Line {
             x[k + 1] = v[k] / (k + 1) as f64;
         }
         let h = local.left.min(reach(&x)).min(reach(&v));
-        // One that grazes zero goes on.
         let turn = roots(&v, h)?
             .into_iter()
             .find(|root| root.way != Way::Touching);

@@ -262,7 +262,6 @@ impl Sliding {
         let last =
             |series: &Coefficients| series.iter().rposition(|c| *c != 0.0).map_or(0, |k| k + 1);
         self.terms = last(&a[0]).max(last(&a[1]));
-        // The others are not looked at.
         for (scaled, a) in self.a.iter_mut().zip(a) {
             for (scaled, c) in scaled.iter_mut().zip(a).take(self.terms.max(1)) {
                 *scaled = c * self.slowness;

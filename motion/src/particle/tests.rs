@@ -49,7 +49,6 @@ fn one_dimension_by_hand() {
         );
         assert_eq!(motion.end().v, [0.0; 2]);
     }
-    // λ = 1: the same speed for ever.
     let motion = go(&plane, 1.0, [3.0, 0.0], 1e9);
     assert_eq!((motion.first_stop(), motion.end().v), (None, [3.0, 0.0]));
     let slow = (1.0 + 1e-9) - 1.0;
@@ -343,7 +342,6 @@ fn a_noisy_record_moves_a_block_as_short_steps_do() {
     }
 }
 
-/// Also of a departure or a creep.
 #[test]
 fn pieces_join_and_series_in_time_obey_the_law() {
     let mut creeps = 0;
@@ -532,7 +530,6 @@ fn the_slowest_growth_releases() {
     }
 }
 
-/// In proportion.
 #[test]
 fn the_slowest_turning_shows() {
     let across = |rate: f64| {

@@ -8,7 +8,7 @@ use super::{
 /// One number of an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Number {
-    /// Its name: t, x, y, v_x, v_y, of a ball ω_x, ω_y, ω_z too, then path and heat.
+    /// t, x, y, v_x, v_y, of a ball ω_x, ω_y, ω_z too, then path and heat.
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
@@ -139,7 +139,8 @@ impl Scene {
 }
 
 impl Number {
-    /// The number with the digits that its error leaves, at most twelve, and where these are few the first that is not sure; nothing if that is none.
+    /// With the digits that its error leaves, at most twelve, and where these are few the first that is not sure; nothing if that
+    /// is none.
     pub fn rounded(&self) -> Option<f64> {
         if self.value == 0.0 {
             return Some(0.0);
@@ -160,7 +161,7 @@ impl Number {
             .ok()
     }
 
-    /// How far the [rounded](Self::rounded) number may be off; where there is none, how large the number may be.
+    /// The error of the [rounded](Self::rounded) number; where there is none, how large the number may be.
     pub fn off(&self) -> f64 {
         self.error + (self.rounded().unwrap_or(0.0) - self.value).abs()
     }

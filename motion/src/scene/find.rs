@@ -6,7 +6,6 @@ use crate::{MotionError, numerics::roots::root};
 /// In how many steps a range is looked through.
 pub const STEPS: u32 = 400;
 
-/// As a part of the range.
 const NEAR: f64 = 1e-6;
 
 /// Where a number is what it is to be, and where it jumps over that.

@@ -47,7 +47,7 @@ impl Part {
         Self::read(text, -1.0)
     }
 
-    /// The floor's own acceleration in the axes of a record, whose x axis points along the angle `towards`.
+    /// As recorded; the record's x axis points along the angle `towards`.
     pub fn record(fitted: Fitted, towards: quantity::Radian) -> Self {
         let along = unit_vector(towards.0);
         Self(Kind::Record { along, fitted })
@@ -239,7 +239,6 @@ impl Floor {
         })
     }
 
-    /// At which all of these are known.
     pub(super) fn known(parts: &[Part]) -> [f64; 2] {
         let mut known = [f64::NEG_INFINITY, f64::INFINITY];
         for part in parts {

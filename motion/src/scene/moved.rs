@@ -352,14 +352,12 @@ impl<'a> Made<'a> {
         }
     }
 
-    /// Of a pull along `x`.
     fn held(&self, x: f64) -> f64 {
         let Scene { mu, back, .. } = *self.scene;
         let mu = back.filter(|_| x < 0.0).unwrap_or(mu);
         self.scene.holding.max(mu) * self.scene.normal()
     }
 
-    /// If it is at the end of this motion.
     fn at_rest(&self, moved: &Moved) -> Result<Option<f64>, SceneError> {
         let since = match moved.events().last() {
             Some(Event {
@@ -478,7 +476,6 @@ impl Moved {
         Self { to, ..self }
     }
 
-    /// If it has.
     fn reached(&self, until: Until, made: &Made) -> Result<Option<f64>, SceneError> {
         // What never moves has stopped as it starts.
         if until == Until::Stop && made.at_rest(self)? == Some(self.from) {
@@ -530,7 +527,7 @@ impl Moved {
             .collect()
     }
 
-    /// What it does from the start on, and every change of that; a slide that passes a stop and goes on begins anew.
+    /// From the start on, every change of what it does; a slide that passes a stop and goes on begins anew.
     pub fn events(&self) -> Vec<Event> {
         let event = |t, doing| Event {
             t: Second(t),

@@ -14,7 +14,7 @@ use crate::numerics::{
     taylor::{TERMS, reach},
 };
 
-/// A sphere, whose `mu` serves forward sliding, with another coefficient of friction for backward sliding.
+/// `mu` serves forward sliding, another coefficient backward sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Directed {
     /// The sphere and the plane; `mu` is μ₊.

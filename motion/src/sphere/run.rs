@@ -27,7 +27,6 @@ const EQUAL: f64 = 1e-13;
 
 struct Run<'a> {
     sphere: &'a Sphere,
-    /// With μ_s for μ.
     rough: Sphere,
     plane: &'a dyn Acceleration,
     until: f64,
@@ -41,7 +40,6 @@ struct Run<'a> {
     released: bool,
 }
 
-/// And how long its series serves.
 struct Local {
     a: [Coefficients; 2],
     left: f64,

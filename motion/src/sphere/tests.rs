@@ -221,7 +221,6 @@ proptest! {
     }
 }
 
-/// As along x, but for a rotation.
 #[test]
 fn a_release_along_a_slanting_line_is_one_along_x() {
     let sphere = Sphere::with_kappa(0.88);

@@ -11,7 +11,6 @@ use super::{Sphere, check};
 use crate::error::MotionError;
 use crate::numerics::taylor::{Control, Path, System, TERMS, integrate};
 
-/// Steps that a motion may take.
 const STEPS: usize = 50_000;
 
 /// The plane, and the pull.

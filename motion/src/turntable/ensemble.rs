@@ -58,7 +58,7 @@ pub enum End {
     Unfinished(Start),
 }
 
-/// Steps after which a particle is followed alone: a hundred times those that all but a few need.
+/// Then a particle is followed alone: a hundred times those that all but a few need.
 pub const STEPS: u32 = 5000;
 
 /// And binary logarithm of the size that the last two terms may have.
@@ -90,7 +90,6 @@ const WEAKENING: f64 = 1e-4;
 /// What comes closer to p = w = 0 is followed alone.
 const BRINK: f64 = 0.001;
 
-/// Particles for one thread.
 const PIECE: usize = 1024;
 
 impl Horizon {
@@ -809,7 +808,6 @@ mod tests {
                 "{rho} {p}"
             );
         }
-        // Rounding puts this one inside.
         let start = Start::polar(100.0, 99.0, 1.57).unwrap();
         let [Ok(End::Far { tau, tau_error })] = HORIZON.follow(&[start]).unwrap()[..] else {
             panic!()

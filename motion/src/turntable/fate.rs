@@ -134,7 +134,7 @@ pub enum Ending<T> {
 /// An ending, and what the speeds on the way were.
 pub type Followed<T> = (Ending<T>, Speeds);
 
-/// Steps after which a fate is undecided: ten times as many as any of 200,000 random starts took.
+/// Then a fate is undecided: ten times as many as any of 200,000 random starts took.
 pub const STEPS: usize = 2_000;
 
 /// The fastest number for steps that need no dense output.
@@ -262,7 +262,7 @@ fn follow_slowly<T: Width, const N: usize>(
     }
 }
 
-/// The fate, if certain, and whether place and time of a rest are known as well as wanted.
+/// If certain, and whether place and time of a rest are known as well as wanted.
 pub fn judge<T: Width>(&[tau, p, w, zeta]: &[T; 4]) -> Option<(Certain<T>, bool)> {
     let [zero, half, one, two] = [0.0, 0.5, 1.0, 2.0].map(T::from_f64);
     let (xi, eta) = (one - w, p - zeta);

@@ -24,7 +24,7 @@ pub use fate::{Escaping, Fate, fate};
 pub use intrinsic::{Intrinsic, Start};
 pub use path::Path;
 
-/// Where a particle is and how it moves, in one of the two frames. Both have their origin on the axis and coincide at t = 0.
+/// In one of the two frames, whose origins are on the axis, and which coincide at t = 0.
 pub use super::State;
 
 #[cfg(all(test, feature = "trials"))]
@@ -55,7 +55,6 @@ impl Default for Table {
     }
 }
 
-/// Counterclockwise.
 fn turned(vector: [f64; 2], angle: f64) -> [f64; 2] {
     let (s, c) = libm::sincos(angle);
     [c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]]
@@ -82,7 +81,7 @@ impl Table {
         self.mu * self.g
     }
 
-    /// The unit of length μg/Ω² in which the dimensionless table has its own, infinite for Ω = 0.
+    /// μg/Ω², infinite for Ω = 0.
     pub fn length(&self) -> f64 {
         self.friction() / (self.omega * self.omega)
     }
@@ -92,8 +91,7 @@ impl Table {
         self.omega * self.omega * radius <= self.friction()
     }
 
-    /// Kinetic energy relative to the table and potential energy of the centrifugal force, ½m(v² − Ω²r²), for a
-    /// state in the table's frame.
+    /// ½m(v² − Ω²r²), kinetic and of the centrifugal force, for a state in the table's frame.
     pub fn energy(&self, state: &State) -> f64 {
         let (p, r) = (state.speed(), self.omega * state.radius());
         0.5 * self.mass * (p - r) * (p + r)

@@ -21,7 +21,7 @@ pub struct Moment<T> {
     pub eta: T,
     /// By how much the velocity has turned since the start.
     pub turned: T,
-    /// Whether the motion was, or is, so close to rest at ρ = 1 that the slow equations were used.
+    /// So close to rest at ρ = 1 that the slow equations were used.
     pub slow: bool,
 }
 

@@ -23,7 +23,6 @@ use crate::onset::onset;
 /// Steps that a motion may take before it is given up.
 pub const STEPS: usize = 200_000;
 
-/// As a part of the first speed.
 const STOP: f64 = 1e-18;
 
 impl System<f64, 5, TERMS> for Table {

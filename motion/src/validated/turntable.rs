@@ -114,7 +114,6 @@ pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
 /// # Errors
 /// As [`fate`].
 pub fn fate_launched(u: Interval, width: f64) -> Result<Fate, CertifiedError> {
-    // On the axis the table does not move.
     follow([u, Interval::int(1), u], width)
 }
 
@@ -126,7 +125,6 @@ fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
         match judge(&state) {
             Some(Judged::Escape) => return Ok(Fate::Escape { steps }),
             Some(Judged::Rest(sigma)) => {
-                // Every enclosure holds.
                 let closer = rest.map_or(Some(sigma), |known| sigma.meet(known));
                 let sigma = closer.ok_or_else(|| unsettled(&state))?;
                 if sigma.width() <= width || rest == Some(sigma) {

@@ -72,7 +72,6 @@ fn or_zeros<const N: usize>() -> impl Strategy<Value = [f64; N]> {
     prop_oneof![2 => each(), 1 => Just([0.0; N])]
 }
 
-/// These included.
 fn on_the_way(low: f64, high: f64, part: f64) -> f64 {
     (low + part * (high - low)).clamp(low, high)
 }

@@ -33,7 +33,6 @@ fn word() -> impl Strategy<Value = String> {
     prop_oneof![3 => prop::sample::select(words), 1 => text()]
 }
 
-/// By RFC 4180.
 fn cells(table: &str) -> Vec<Vec<String>> {
     let mut rows = vec![vec![String::new()]];
     let (mut quoted, mut letters) = (false, table.chars().peekable());

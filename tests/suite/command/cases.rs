@@ -135,7 +135,6 @@ fn every_number_is_that_of_another_source() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Enough of each kind, answered rightly.
 #[test]
 fn every_question_is_answered_rightly() {
     let file: toml::Table = toml::from_str(&text!("book/questions.toml")).unwrap();

@@ -20,7 +20,6 @@ mod vectors;
 
 use slipbook::numerics::double::Double;
 
-/// In numbers of 31 digits.
 const TERMS: usize = 44;
 
 struct Room<const N: usize>([[Double; TERMS]; N]);

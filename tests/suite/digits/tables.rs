@@ -51,7 +51,6 @@ fn critical_radius_and_speed_are_those_of_the_foreign_program() {
     assert_eq!(found, 2);
 }
 
-/// By its forty digits.
 #[test]
 fn the_first_wrong_digit_is_found() {
     let mut exact: Vec<(String, String)> = Vec::new();

@@ -17,7 +17,6 @@ fn power(x: f64) -> i32 {
     text.split_once('e').unwrap().1.parse().unwrap()
 }
 
-/// Against `scale`.
 fn digits(found: f64, exact: f64, scale: f64) -> u32 {
     if found == exact {
         return MOST;

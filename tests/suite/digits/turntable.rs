@@ -332,7 +332,6 @@ fn rests(rho: Double, p: Double, psi: f64) -> bool {
     }
 }
 
-/// By the other law.
 #[test]
 fn the_boundary_has_rest_below_and_escape_above() {
     use slipbook::scalar::Scalar;
@@ -356,7 +355,6 @@ fn the_boundary_has_rest_below_and_escape_above() {
             .find(|off| rests(-off) && !rests(*off));
         let exact = off.map_or(f64::NAN, |off| a * (1.0 + off));
         solved.answer(&answer, |_| Some(format!("{exact:?}")), &case);
-        // It is promised to 10⁻¹³.
         let near = boundary(alpha, psi).unwrap();
         library.number(near, known(near, 1e-13), a, &case);
     }

@@ -36,7 +36,6 @@ impl Row<'_> {
     }
 }
 
-/// At most so many, spread over all.
 pub fn rows(name: &str, most: usize, mut each: impl FnMut(&Row<'_>)) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/data/digits/{name}.csv"));
     let text = fs::read_to_string(file).unwrap();

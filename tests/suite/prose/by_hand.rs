@@ -95,7 +95,6 @@ fn the_arithmetic_of_the_cases_by_hand_is_right() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// So does the letter if it has the case's number.
 #[test]
 fn what_is_right_is_worked_out_where_its_case_is() {
     let letter = LEDGER.letter(Format::Text).unwrap();

@@ -5,20 +5,16 @@ use slipbook::numerics::double::Double;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Same {
-    /// In a ring.
     Proved,
-    /// By values.
     Measured,
 }
 
-/// At which both have values.
 const POINTS: usize = 20;
 const TRIED: u32 = 400;
 /// Relative. Each operation is right to 1e-31, on numbers of order one; the largest loss is some thousand-fold. No slip of the
 /// pen is so small.
 const TOLERANCE: f64 = 1e-27;
 
-/// If they are not, why.
 pub fn same(a: Expr, b: Expr) -> Result<Same, String> {
     if let Some(why) = differ(a, b) {
         return Err(why);
@@ -29,7 +25,6 @@ pub fn same(a: Expr, b: Expr) -> Result<Same, String> {
     })
 }
 
-/// Or that they have too few.
 pub fn differ(a: Expr, b: Expr) -> Option<String> {
     if a == b {
         return None;

@@ -8,7 +8,6 @@ use trialbook::plotting::Figure;
 
 pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| all().unwrap());
 
-/// By the words at the axes.
 const AXES: &str = "
 cost: cost
 error: error
@@ -167,7 +166,6 @@ fn panels<'a, 'b>(svg: &'b [Tag<'a>]) -> Vec<([f64; 4], &'b [Tag<'a>])> {
 
 type Drawn<'a> = (&'a str, Vec<[f64; 2]>);
 
-/// Behind `fill:` or `stroke:` at its beginning.
 fn colour<'a>(style: &'a str, what: &str) -> Option<&'a str> {
     style.split_once(what)?.1.split(['"', ',']).next()
 }

@@ -39,7 +39,6 @@ impl Given {
         self.names.len()
     }
 
-    /// But for what has been given here.
     pub fn complete(&mut self, later: &Self) {
         for (name, value) in &later.names {
             if self.names.iter().all(|(known, _)| known != name) {
@@ -56,7 +55,6 @@ impl Given {
     }
 }
 
-/// Those that are given, and e.
 fn lexicon(given: &Given) -> Lexicon {
     let mut lexicon = Lexicon::new();
     for (name, value) in &given.names {
@@ -218,7 +216,6 @@ pub fn is_arithmetic(latex: &str, given: &Given) -> bool {
     })
 }
 
-/// With its accents and its index.
 pub fn is_name(latex: &str) -> bool {
     let sides = statements(latex).unwrap_or_default();
     let [Statement { sides, .. }] = &sides[..] else {
@@ -231,7 +228,6 @@ pub fn is_name(latex: &str) -> bool {
     sides.len() == 1 && !latex.starts_with('+') && name.is_some()
 }
 
-/// If it is nothing else.
 fn symbol(side: Value) -> Option<&'static str> {
     match side.number()?.node() {
         slipbook::exact::Node::Symbol(name) => Some(name),

@@ -14,7 +14,6 @@ use slipbook::exact::{
     latex::{Value, statements},
 };
 
-/// If not, why.
 pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String> {
     let mut given = Given::new();
     let mut formula = formula.to_owned();
@@ -78,7 +77,6 @@ pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String
 
 struct Asked {
     what: &'static str,
-    /// From 0.
     relation: usize,
 }
 
@@ -133,7 +131,6 @@ impl Asked {
     }
 }
 
-/// From 0.
 fn row(formula: &str, number: usize) -> Option<&str> {
     let (_, cases) = formula.split_once(r"\begin{cases}")?;
     let (cases, after) = cases.split_once(r"\end{cases}")?;

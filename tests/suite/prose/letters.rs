@@ -9,7 +9,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use trialbook::data::{Text, text};
 use trialbook::trials::Topic;
 
-/// Of our own.
 const TABLE: Text = text!("book/src/lookup.md");
 
 /// Numbers with names, axes, orders of magnitude, and what a text calls by a capital.
@@ -86,7 +85,6 @@ pub fn letters(latex: &str) -> BTreeSet<String> {
     out
 }
 
-/// Behind a group, a command or a character.
 fn skipped(text: &str) -> &str {
     let text = text.trim_start();
     let mut depth = 0;
@@ -115,7 +113,6 @@ fn base(letter: &str) -> &str {
     letter.split('_').next().unwrap_or(letter)
 }
 
-/// By page, as often as declared.
 fn own() -> BTreeMap<String, Vec<String>> {
     let mut own = BTreeMap::<String, Vec<String>>::new();
     let mut page = String::new();

@@ -64,7 +64,6 @@ pub fn tree(formula: &Formula<Expr>) -> Vec<Expr> {
 struct Argument {
     name: &'static str,
     latex: &'static str,
-    /// Of its components, or its own.
     parts: Vec<&'static str>,
 }
 
@@ -108,7 +107,6 @@ impl Argument {
         }
     }
 
-    /// Without the bold.
     fn unbold(&self) -> Option<String> {
         let bold = self.latex.strip_prefix(r"\bm")?;
         Some(bold.trim().to_owned())

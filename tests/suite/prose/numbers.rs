@@ -5,7 +5,6 @@ use slipbook::book::{Piece, pieces};
 use slipbook::edition::EDITION;
 use trialbook::notation::literals;
 
-/// Without numbers of sections and of problems.
 pub fn decimals(text: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let mut rest = text;

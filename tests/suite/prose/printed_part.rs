@@ -25,7 +25,6 @@ impl Library {
         Library { formulas: all }
     }
 
-    /// Its path ends so.
     pub fn formula(&self, name: &str) -> &Formula<Expr> {
         self.find(name).unwrap_or_else(|why| panic!("{why}"))
     }
@@ -48,7 +47,6 @@ impl Library {
         self.formulas.iter().filter(own).collect()
     }
 
-    /// If a part is not the same, why.
     pub fn hold(&self, latex: &str, line: &Line) -> Result<Vec<Same>, String> {
         self.pairs(latex, line)?
             .into_iter()
@@ -56,7 +54,6 @@ impl Library {
             .collect()
     }
 
-    /// Understood at all.
     pub fn reads(&self, latex: &str, line: &Line) -> bool {
         self.pairs(latex, line).is_ok()
     }
@@ -117,7 +114,6 @@ impl Library {
     }
 }
 
-/// With that number.
 fn without_component(name: &str) -> (&str, Option<usize>) {
     match name.split_once('.') {
         Some((name, component)) => (name, component.parse().ok()),

@@ -37,7 +37,6 @@ pub enum Place {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
-    /// 0 if the text is a formula.
     pub segment: usize,
     pub place: Place,
     pub formulas: &'static str,
@@ -83,7 +82,6 @@ impl Line {
 
 pub struct Held {
     pub id: &'static str,
-    /// For messages.
     pub at: String,
     pub corrected: bool,
     pub latex: &'static str,

@@ -135,7 +135,6 @@ fn every_mistake_in_a_correction_that_is_printed_is_noticed() {
     assert!(all.missed.is_empty() && printed > 10);
 }
 
-/// None of a name alone.
 fn topic(path: &str) -> Option<&str> {
     path.rsplit("::").nth(1)
 }

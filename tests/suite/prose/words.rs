@@ -17,7 +17,6 @@ const SPELLINGS: &[(&str, &str)] = &[
 /// Characters that count as the next one.
 const PLAINER: &str = "−-⋯…²2³3⁴4⁻-¹1₀0₁1₂2₃3₄4₊+₋-𝔴w𝐀A𝐅F𝐑R𝐜c𝐫r𝐮u𝐯v𝐰w𝛄γ𝛇ζ𝛎ν𝛒ρ𝛚ω";
 
-/// Also words with formulas between dollar signs.
 pub fn of_latex(latex: &str) -> String {
     let text = if latex.contains('$') {
         plain_words(latex)
@@ -60,7 +59,6 @@ pub fn of_plain(plain: &str) -> String {
     out
 }
 
-/// None if it does not count.
 fn plainer(c: char) -> Option<char> {
     if c.is_whitespace() || "()[]{},;.·^_".contains(c) {
         return None;

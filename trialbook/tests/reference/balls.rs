@@ -4,7 +4,6 @@
 use crate::table::{ball, number, rows};
 use trialbook::certified::{ball::Ball, interval::Interval};
 
-/// Behind those of the result.
 const SPARE: usize = 64;
 
 /// Exactly a single number, or all from `lo` to `hi`.
@@ -39,7 +38,6 @@ fn holds(all: &Ball, decimals: &str) -> bool {
     exact.inside(&(all.with_bits(fine) + room))
 }
 
-/// May be unknown, for a single number.
 fn spare_bits(name: &str) -> usize {
     match name {
         "+" | "-" => 0,

@@ -21,7 +21,6 @@ fn ring() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// Written backwards.
 fn formula(text: &str) -> Option<Expr> {
     let mut stack: Vec<Expr> = Vec::new();
     for token in text.chars() {

@@ -95,7 +95,6 @@ fn room(name: &str, x: Interval, y: Option<Interval>, bound: f64) -> Room {
     }
 }
 
-/// Below `best`, and no farther than this.
 fn is_tight(found: f64, best: f64, room: &Room) -> bool {
     match room {
         Room::Step => found == best || found == best.next_down(),
@@ -133,7 +132,6 @@ fn every_range_is_enclosed_and_by_no_more_than_is_said() {
         assert!(is_tight(-found.hi(), -most, &rooms[1]), "too high: {case}");
         told += usize::from(rooms.iter().all(|room| !matches!(room, Room::Any)));
     }
-    // Most is held to its room.
     assert!(told > 4500 && none > 300, "{told} {none}");
 }
 

@@ -12,7 +12,6 @@ use trialbook::numerics::{
 /// Unused ones are at rest at 0.
 const MOST: usize = 4;
 
-/// By its name, with its parameter.
 struct Law<'a> {
     name: &'a str,
     parameter: f64,
@@ -227,7 +226,6 @@ fn ends_in_numbers_of_31_digits_are_those_of_mpmath() {
         let mut found = None;
         for _ in 0..1000 {
             run.expand(&mut step).expect("finite coefficients");
-            // To 31 digits too.
             let left = Double::from(time) - *run.t();
             if step.h >= left.to_f64() {
                 found = Some(step.at(&left));

@@ -22,7 +22,7 @@ pub struct Fit {
     pub end: f64,
     /// Powers of the distance from the left end.
     pub coefficients: Vec<f64>,
-    /// What the polynomial may miss: some roundings of the largest value, and of the argument where the function is steep.
+    /// Some roundings of the largest value, and of the argument where the function is steep.
     pub tolerance: f64,
     /// At twenty points it misses no more.
     pub resolved: bool,

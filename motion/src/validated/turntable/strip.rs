@@ -11,13 +11,13 @@ pub struct Strip {
     pub a: Interval,
     /// The ends of the range, in radians.
     pub psi: [f64; 2],
-    /// α at the ends of a line, which is straight in between; positive, below `reach`.
+    /// At the ends of a line that is straight in between; positive, below `reach`.
     pub line: [f64; 2],
     /// The largest α.
     pub reach: f64,
 }
 
-/// Up to where the fates of a [`Strip`] are proved, as shares of the way from the line to the strip's end.
+/// As shares of the way from the line to the strip's end, up to where fates are proved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
     /// Below the line b all come to rest with α ≤ (1 − `rest`) b.
@@ -32,7 +32,6 @@ const ACCURACY: f64 = 1e-7;
 
 const STEPS: usize = 400;
 
-/// In a coordinate.
 const WIDE: f64 = 1.0;
 
 /// As a share of the way.
@@ -274,7 +273,6 @@ mod tests {
         }
     }
 
-    /// Also along a line that rises.
     #[test]
     fn the_set_that_is_followed_holds_all_starts_of_its_cell() {
         let strip = Strip {
