@@ -7,7 +7,7 @@ use crate::numerics::taylor::TERMS;
 /// Taylor coefficients by the time, to the order of the integrator.
 pub type Coefficients = [f64; TERMS];
 
-/// The acceleration A(t) of the plane in the laboratory, in length/time²: a body on it is pulled [the other way](super).
+/// The acceleration A(t) of the plane in the laboratory, in length/time²; a body is pulled [the other way](super).
 ///
 /// [`Plane`] makes one of signals, [`Fitted`](super::Fitted) one of a function's values or of a table, [`Series`] one of a
 /// function's Taylor coefficients.

@@ -1,7 +1,5 @@
-//! Motions integrated in a time of their own.
-//!
-//! In the time t the law of motion is singular where the sliding speed is zero: friction turns the body infinitely fast. In a
-//! time s with dt = (sliding speed) ds it is not. The time t then is the first component of the state.
+//! Motions integrated in a time s with dt = (sliding speed) ds: in the time t, then the first component of the state, the law of
+//! motion is singular where the sliding speed is zero.
 
 use super::error::MotionError;
 use crate::numerics::{

@@ -6,10 +6,9 @@
 //! dq/dt = f·û − L,    q dθ/dt = f·n̂,
 //! ```
 //!
-//! θ forgets where it came from in a time q/|f|. Where f hardly changes in that, as in a slip by a pull that exceeds friction
-//! by little, what is left is one motion alone, whose θ is as slow as f: f·n̂ = q θ′ tells it from its own derivative, again and
-//! again, each time closer by the part q/|f| of the time in which f changes. Its power series in t serve for that whole time, to
-//! the stop too, where steps of a slide would follow each q/|f|.
+//! θ forgets where it came from in a time q/|f|. Where f hardly changes in that, what is left is one motion, whose θ is as slow
+//! as f: f·n̂ = q θ′ tells it from its own derivative, again and again, each time closer by the part q/|f| of the time in which f
+//! changes. Its power series in t serve for that whole time, to the stop too.
 
 use super::acceleration::Coefficients;
 use crate::numerics::{

@@ -215,7 +215,7 @@ impl Fitted {
     /// from the spline through every second one. A spline through all is better, by sixteen where the table resolves the motion.
     /// Noise across the drive is a drive too: a particle then hardly ever comes to v = 0.
     ///
-    /// The work is proportional to the rows; so is that of a motion, which takes a step at least from row to row.
+    /// The work is proportional to the rows; a motion takes a step at least from row to row.
     ///
     /// # Errors
     /// [`FitError`]: fewer than seven rows, times that do not rise, values that are not finite.

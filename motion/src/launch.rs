@@ -9,8 +9,8 @@ use super::{
 };
 use std::f64::consts::PI;
 
-/// A particle that leaves the origin at t = 0 with speed v₀ and angle θ₀ from the x axis, on a plane that
-/// accelerates with −A x̂: the particle is [pulled](super) along +x. One that moves as the plane gets faster has θ₀ = π.
+/// From the origin at t = 0 with speed v₀ and angle θ₀ from the x axis, on a plane that accelerates with −A x̂: the particle is
+/// [pulled](super) along +x. One that moves as the plane gets faster has θ₀ = π.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Launch {
     lambda: f64,

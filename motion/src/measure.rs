@@ -6,7 +6,7 @@
 //!
 //! A sensor on the *floor* says nothing of friction; nor can a recording tell a plateau of slip from a floor that for a while
 //! accelerates evenly: it is taken for granted that the body slid. A rest on a tilted floor is told from a slip by x² + z² = g².
-//! While a hand pushes the body, or a stop catches it, more than friction acts.
+//! More than friction acts while a hand pushes the body, or a stop catches it.
 
 mod holding;
 mod kinetic;
@@ -270,7 +270,7 @@ const LARGEST: f64 = 1e6;
 /// - The [`Verdict`] compares plateaus with each other, and within.
 ///
 /// N/m is the acceleration along z, if that contains gravity; else it is g, as on a level floor that is shaken along itself, and
-/// [`Measured::assumed`] says so. What is as large as at rest on a tilted floor is no slip. A plateau needs some twelve rows. O(n log n): a second for 300,000 rows.
+/// [`Measured::assumed`] says so. A plateau needs some twelve rows. O(n log n): a second for 300,000 rows.
 ///
 /// # Errors
 /// [`MeasureError`]: fewer than 64 rows, rows that are no numbers or whose times do not rise, settings out of their range.

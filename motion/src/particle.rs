@@ -54,13 +54,13 @@ fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
     check(name, value, fit, "0 or between 1e-50 and 1e50")
 }
 
-/// The motion of a particle from `start` until the time `until`, on a plane that accelerates by A(t), which [pulls](super) it
-/// along −A, with the given `friction` (μg, or a [`Friction`] that holds more than it brakes). A start with v = 0 is allowed: it
-/// sticks or begins to slide.
+/// The motion of a particle from `start` until the time `until`, on a plane that accelerates by A(t), [pulled](super) along −A,
+/// with the `friction` (μg, or a [`Friction`] that holds more than it brakes). A start with v = 0 is allowed: it sticks or begins
+/// to slide.
 ///
-/// Stop and start times, v and t are right to about 10⁻¹² relative where the problem is well conditioned, for the
-/// acceleration as it is given: what its own error makes of them says [`Motion::drive_error`]. The
-/// time scales of the acceleration should lie between 10⁻¹⁰ and 10¹⁰ of the unit of time.
+/// Stop and start times, v and t are right to about 10⁻¹² relative where the problem is well conditioned, but for the
+/// acceleration's own error: see [`Motion::drive_error`]. The time scales of the acceleration should lie between 10⁻¹⁰ and 10¹⁰
+/// of the unit of time.
 ///
 /// # Errors
 /// [`MotionError::Argument`] for a parameter that is not finite or out of range: friction, speed and |A| are 0 or

@@ -123,8 +123,8 @@ impl Sphere {
     /// pulled. A contact velocity
     /// below 10⁻¹⁴ of the velocities of which it is the sum counts as zero at the start.
     ///
-    /// Times, v, ω and x are right to about 10⁻¹² relative where the problem is well conditioned, for the acceleration as it
-    /// is given: what its own error makes of them says [`BallMotion::drive_error`].
+    /// Times, v, ω and x are right to about 10⁻¹² relative where the problem is well conditioned, but for the acceleration's own
+    /// error: see [`BallMotion::drive_error`].
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a parameter out of range, [`MotionError::Outside`] for times at which the acceleration is not
@@ -266,8 +266,8 @@ impl BallMotion {
         &self.transitions
     }
 
-    /// The [`error`](Acceleration::error) of a component of the acceleration that was given, in length/time²; v and x are off by
-    /// at most as much as those of a [particle](super::Motion::drive_error).
+    /// The [`error`](Acceleration::error) of a component of the acceleration, in length/time²; v and x are off by at most as much
+    /// as those of a [particle](super::Motion::drive_error).
     pub fn drive_error(&self) -> f64 {
         self.drive_error
     }

@@ -258,9 +258,8 @@ impl Motion {
         self.end
     }
 
-    /// The [`error`](super::Acceleration::error) e of a component of the acceleration that was given, in length/time². At t this
-    /// motion is off by at most √2 e (t − t₀) in velocity, and half of that times t − t₀ in place, beyond the errors of
-    /// [`run`](super::run).
+    /// The [`error`](super::Acceleration::error) e of a component of the acceleration, in length/time². At t the motion is off by
+    /// at most √2 e (t − t₀) in velocity, and half of that times t − t₀ in place, beyond the errors of [`run`](super::run).
     pub fn drive_error(&self) -> f64 {
         self.drive_error
     }
@@ -317,7 +316,7 @@ impl Motion {
     /// there is none until the end. Where it sets out from rest in that direction, the state of rest. A velocity
     /// component below 10⁻⁹⁰ of the other counts as zero.
     ///
-    /// Cost: looks at each step of the motion once, until it is found.
+    /// Cost: a look at each step.
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a direction that is zero or not finite.

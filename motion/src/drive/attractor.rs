@@ -76,8 +76,7 @@ pub struct Agreement {
 }
 
 impl Drive {
-    /// Follows the motion from `start` until it is periodic: until w after one more period agrees with
-    /// itself to 1e-12 (in units of the largest |h|).
+    /// Follows the motion from `start` until w after one more period agrees with itself to 1e-12 of the largest |h|.
     ///
     /// Cost: at most `max_periods` periods, in each of which every piece of the drive is visited.
     ///

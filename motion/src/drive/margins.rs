@@ -64,8 +64,8 @@ impl Attractor<'_> {
         forward - backward
     }
 
-    /// What friction takes from the motion in a period, λ₊ and λ₋ times the distances forwards and backwards: energy per
-    /// mass, dimensionless. In a periodic motion it is ∮ h w dφ, the work of the drive.
+    /// λ₊ and λ₋ times the distances forwards and backwards in a period, taken by friction: energy per mass, dimensionless. In a
+    /// periodic motion it is ∮ h w dφ, the work of the drive.
     pub fn lost(&self) -> f64 {
         let [forward, backward] = self.distances();
         self.friction.plus * forward + self.friction.minus * backward

@@ -14,9 +14,8 @@
 //! # Decisions
 //! - **Thresholds.** Rest ends only where h leaves [−λ₋, λ₊] by more than [`Drive::resolution`], about
 //!   1e-15 of the largest |h|: at λ₊ = max h itself the particle stays at rest.
-//! - **Touching.** A motion whose |w| has a minimum within the resolution of 0 passes over it: no rest, no
-//!   change of sign; [`Attractor::grazes`] says that it happened.
-//! - **Intervals of length zero** (at most [`ZERO_LENGTH`]) are not listed; `grazes` says that one was dropped.
+//! - **Touching.** A minimum of |w| within the resolution of 0 is no rest and no change of sign; [`Attractor::grazes`] tells.
+//! - **Intervals of length zero** (at most [`ZERO_LENGTH`]) are not listed; `grazes` tells.
 //! - **Neutral motions.** If the mean of h is exactly λ₊ (or −λ₋), all motions of one sign are periodic; the
 //!   one that the start leads to is returned, with contraction rate 1. So it is without friction.
 

@@ -1,7 +1,7 @@
 //! The motion with a velocity across the drive, which may become smaller than any number.
 //!
-//! With the velocity (w_x, w_y), w_y > 0, and w = |(w_x, w_y)|:
-//! w_x' = h − λ w_x/w, w_y' = −λ w_y/w. For tiny w_y, w_x passes through zero within a layer as thin as w_y. In
+//! With the velocity (w_x, w_y), w_y > 0, and w = |(w_x, w_y)|: w_x' = h − λ w_x/w, w_y' = −λ w_y/w. For tiny w_y, w_x passes
+//! zero within a layer as thin as w_y. In
 //!
 //! - a = ln(w + w_x), b = ln(w − w_x), so that ln w_y = (a + b)/2, and
 //! - the measure dσ = dφ/w of the path,
@@ -9,9 +9,8 @@
 //! the layer has disappeared: da/dσ = h − λ, db/dσ = −h − λ, dφ/dσ = (eᵃ + eᵇ)/2. (For w' = h w_x/w − λ, so
 //! (w ± w_x)' = (±h − λ)(w ± w_x)/w.) In σ, ln w_y falls at the constant rate λ, whatever its size.
 //!
-//! Where both a and b are below [`DEEP`], the phase stands still to 1e-20, so a and b are linear in σ: the
-//! passage is exact. If |h| ≤ λ there, both fall for ever while φ does not advance: the particle stops,
-//! within a finite phase, and w_y is 0 from then on.
+//! Where both a and b are below [`DEEP`], the phase stands still to 1e-20, so a and b are linear in σ: the passage is exact. If
+//! |h| ≤ λ there, both fall for ever: the particle stops, and w_y is 0 from then on.
 
 use super::{Drive, DriveError, DriveState, Friction};
 use crate::numerics::{
@@ -43,8 +42,8 @@ pub struct PlanarState {
 }
 
 impl Drive {
-    /// Follows the motion in the plane, with isotropic friction λ, from `start` and returns its states at
-    /// `phases`, which must not decrease. `start.ln_w_y` may lie between −1e12 and 20.
+    /// The states at `phases`, which must not decrease, of the motion in the plane from `start`, with isotropic friction λ.
+    /// `start.ln_w_y` may lie between −1e12 and 20.
     ///
     /// # Errors
     /// A λ that is negative or no number, a bad start, phases that decrease or reach beyond 1e5 after the start.

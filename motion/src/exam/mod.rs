@@ -1,8 +1,7 @@
 //! An exam in dry friction for engines and solvers: set-ups, each with one question, and answers that can be relied on.
 //!
-//! Every answer is found twice: by following the motion ([`crate`]), and by a route that does not read that run,
-//! mostly an enclosure ([`crate::validated`]) or a second integrator with other equations. An answer on which the two
-//! do not agree is an [`ExamError`], not an answer. No formula of the paper is used.
+//! Every answer is found twice, without the paper: by following the motion ([`crate`]), and by an enclosure
+//! ([`crate::validated`]) or a second integrator with other equations. If they do not agree, it is an [`ExamError`].
 //!
 //! ```
 //! use slipbook_motion::exam::{Answer, TASKS};

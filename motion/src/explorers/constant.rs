@@ -73,8 +73,8 @@ pub fn portrait(lambda: f64) -> Result<Answer, ExplorerError> {
 
 /// The same motion at equal times, for a moving picture.
 ///
-/// Values: the time between the pictures. Curves: place and velocity of the particle, relative to the plane, and the place of one
-/// that is launched alike on a plane at rest.
+/// Values: the time between the pictures. Curves: place and velocity relative to the plane, and the place of a particle launched
+/// alike on a plane at rest.
 ///
 /// # Errors
 /// As for [`motion`].

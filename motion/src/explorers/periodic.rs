@@ -67,8 +67,8 @@ impl Shaken {
     }
 }
 
-/// The motion from the velocity `w` at φ = 0, with `third` times as much of the third harmonic as of the sine; or under pulses
-/// of size 1 that fill the share `eta` of each half period, if that is not 0.
+/// The motion from the velocity `w` at φ = 0, with `third` times as much of the third harmonic as of the sine; or, if `eta` is
+/// not 0, under pulses of size 1 that fill this share of each half period.
 ///
 /// Values: those of [`tray::motion`]. Curves: its own, then the drive over four periods.
 ///

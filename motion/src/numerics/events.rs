@@ -26,8 +26,8 @@ pub struct Root {
     pub way: Way,
 }
 
-/// The roots of a series in (0, `h`], in order; of several that rounding does not part the first. One at 0 (first coefficients exactly zero) does not count, nor
-/// does a series that is zero altogether have roots.
+/// The roots of a series in (0, `h`], in order; of several that rounding does not part the first. One at 0 (first coefficients
+/// exactly zero) does not count; a series that is zero has none.
 ///
 /// # Errors
 /// [`NumericsError::NotFinite`] when a coefficient times its power of `h` is not finite.

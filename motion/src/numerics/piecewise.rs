@@ -73,7 +73,7 @@ impl Piecewise {
     ///
     /// `breaks` lists its jumps and kinks, in any order, modulo 2π; a jump or kink at 0 need not be listed.
     ///
-    /// Cost: an interpolation for each of the parts into which the period is halved, at most some 32,000.
+    /// Cost: an interpolation for each part, at most some 32,000.
     ///
     /// # Errors
     /// A value or a break that is not finite, a value beyond 1e100; a function that even on 1e-12 of the period is no

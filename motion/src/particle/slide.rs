@@ -76,9 +76,8 @@ impl System<f64, 5, TERMS> for Sliding {
 
 impl Sliding {
     /// Coefficient `k` of A|v| + μg v for a constant A, and of |v|: with d|v|/ds = −A·v − μg|v|, nothing needs to be multiplied.
-    /// When v points along −A, the sum may cancel down to (μg − |A|) v; so, with ± the sign of the larger component w of v, u the
-    /// smaller, and a, b those components of A, it is computed as a e + (μg ± a) w, where e = |v| − |w| = u²/(|v| + |w|) obeys
-    /// de/ds = (±a − μg) e − b u.
+    /// When v points along −A, the sum may cancel down to (μg − |A|) v; so, with ± the sign of the larger component w of v, the
+    /// smaller u, and a, b of A, it is a e + (μg ± a) w, where e = |v| − |w| = u²/(|v| + |w|) obeys de/ds = (±a − μg) e − b u.
     #[inline(always)]
     fn constant_pull(&self, k: usize, v: [&Coefficients; 2], work: &mut Work) -> [f64; 2] {
         let larger = usize::from(v[1][0].abs() > v[0][0].abs());

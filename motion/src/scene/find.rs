@@ -17,9 +17,9 @@ pub struct Found {
     pub jumps: Vec<f64>,
 }
 
-/// Looks from `low` to `high` for where the number `name` of the end of `scene` is `wanted`, in [`STEPS`] steps of equal ratios, or of equal length where `low`
-/// is not positive: of two values closer together than one step, or where it is only touched, nothing may be seen. Values
-/// without an answer are passed over.
+/// Where from `low` to `high` the number `name` of the end of `scene` is `wanted`, in [`STEPS`] steps of equal ratios, or of
+/// equal length where `low` is not positive: of two values closer together than one step, or where it is only touched, nothing
+/// may be seen. Values without an answer are passed over.
 ///
 /// Cost: some 500 answers as a rule.
 ///

@@ -93,9 +93,9 @@ const BRINK: f64 = 0.001;
 const PIECE: usize = 1024;
 
 impl Horizon {
-    /// The ends of these particles' ways, in their order, or why there is none: for a start that no constructor of [`Start`]
-    /// gives, or one at rest beyond ρ = 1 (it starts by itself, and this time is not that of the ensemble), and for that alone. With
-    /// the feature `parallel` all cores share the work; the result does not depend on how.
+    /// The ends of these particles' ways, in their order. Only a start that no constructor of [`Start`] gives, or one at rest
+    /// beyond ρ = 1 (it starts by itself, at a time of its own), has none. With the feature `parallel` all cores share the work;
+    /// the result does not depend on how.
     ///
     /// Cost: for each some fifty steps as a rule, and at most [`STEPS`] before it is followed alone.
     ///
@@ -137,9 +137,9 @@ impl Horizon {
         starts.iter().map(end).collect()
     }
 
-    /// The end of the way of one particle from the distance `rho` with the speed `p` and the angle `psi` (radians), all
-    /// three taken as exact, in numbers of twice the width: also where their rounding to `f64` would decide. Some
-    /// hundred times the work of [`follow`](Self::follow).
+    /// The end of one particle's way from the distance `rho`, the speed `p` and the angle `psi` (radians), taken as exact, in
+    /// numbers of twice the width: also where rounding to `f64` would decide. Some hundred times the work of
+    /// [`follow`](Self::follow).
     ///
     /// # Errors
     /// As for [`follow`](Self::follow) and [`Start::polar`].

@@ -21,10 +21,9 @@
 //!   as long as w > 0. Then (p² − w²)′ = 2w(ζ² − p²) ≥ 0, so p² − w² stays above a positive number, and
 //!   w′ = −ζ² ≤ −p² below a negative one: w becomes zero, which is the property before.
 //!
-//! Such a particle goes away for ever. If it stayed within bounds, ρ² − p² would converge and the way
-//! ∫p dτ be finite, so the place would converge; there the pull would have to be balanced for good, which it
-//! is not: ρ > 1 there, or p does not decrease.
-//! It may stop for a moment (a start from rest at ρ > 1, a motion straight inwards).
+//! Such a particle goes away for ever. If it stayed within bounds, ρ² − p² would converge and the way ∫p dτ be finite, so the
+//! place would converge; there the pull would have to be balanced for good, which it is not: ρ > 1 there, or p does not decrease.
+//! It may stop for a moment.
 
 use super::{
     intrinsic::{Exact, Law, Start, check},

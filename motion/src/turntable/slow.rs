@@ -9,9 +9,9 @@
 //! G = 1 + 2wG + P G² ∂G/∂w + 2Pw ∂G/∂P,
 //! ```
 //!
-//! which gives the coefficients of G in powers of w and P one after the other, whole numbers all of them. They grow
-//! like factorials, so that the series serves only close to rest, but there it serves well: with |w| and p below
-//! [`Width::TUBE`], terms up to [`WEIGHT`] (p and w count 1, P counts 2) leave out less than the numbers can show.
+//! which gives the coefficients of G in powers of w and P one after the other, whole numbers all of them. They grow like
+//! factorials, so that the series serves only close to rest: with |w| and p below [`Width::TUBE`], terms up to [`WEIGHT`] (p and
+//! w count 1, P counts 2) leave out less than the numbers can show.
 //!
 //! What is left are two slow equations whose series have steps as long as their own time scale: the motion that takes
 //! 10¹² steps of ζ is over in a hundred.
