@@ -536,7 +536,7 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Seen {
                 "{name}: dragging the hand of plot {plot} does nothing at {before:?}"
             ));
         }
-        // But for the steps of the inputs and the axis to which it is bound.
+        // Up to the steps of the inputs and the axis to which the hand is bound.
         let [hand, ..] = explorer.places(plot)?;
         let off = [0, 1].map(|i| (hand[i] - share(0.6, 0.6)[i]).abs());
         let free = match (name, plot) {
@@ -660,7 +660,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Seen {
     }
     explorer.plays()?;
     untold(page, book)?;
-    // Also to who has nothing against motion.
+    // Nothing is told before the guess, also to who has nothing against motion.
     page.still(false)?;
     let mut wrong = Vec::new();
     for name in PAGES.map(name_on) {

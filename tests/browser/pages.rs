@@ -270,7 +270,7 @@ pub fn front(page: &mut Page, book: &Book) -> Seen {
             wrong.push(format!("whether {example} is found is not known"));
         }
     }
-    // And no two parts of the strip are called the same.
+    // Nothing has to be scrolled to, and no two parts of the strip are called the same.
     page.resize(1400, 900)?;
     page.open(&book.address("index.html"))?;
     page.explored()?;

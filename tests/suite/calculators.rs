@@ -16,7 +16,7 @@ fn assert_near([x, y]: [f64; 2], [a, b]: [f64; 2], within: f64) {
     );
 }
 
-/// Or for three times as long as the speed would last at the acceleration alone.
+/// Until rest, or for three times as long as the speed would last at the acceleration alone.
 #[test]
 fn the_velocity_is_shown_from_the_launch_to_its_end() {
     for (lambda, v0, theta0, accel) in [

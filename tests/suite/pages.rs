@@ -83,7 +83,7 @@ fn no_page_passes_a_verdict_of_its_own() {
     }
 }
 
-/// Also a small digit, above or below the line.
+/// Greek, a small digit above or below the line, and the like.
 fn mathematical(c: char) -> bool {
     "²³¹½∂Σ√∞∫ᵏ".contains(c)
         || matches!(u32::from(c), 0x300..=0x3ff | 0x1d62..=0x1d6a | 0x2070..=0x209f | 0x1d400..=0x1d7ff)

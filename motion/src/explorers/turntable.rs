@@ -15,7 +15,7 @@ const LATE: f64 = 1e4;
 /// Steps along each side of the first survey of velocities, and their largest component.
 const SURVEY: u32 = 10;
 const LARGEST: f64 = 3.0;
-/// And to what its distance from the middle is found: less than a picture shows.
+/// Points of the boundary, and to what they are found: less than a picture shows.
 const AROUND: u32 = 96;
 const COARSE: u32 = 48;
 const WIDTH: f64 = 2e-3;

@@ -259,7 +259,7 @@ const NO_TIME: &str = "such times are hardly in seconds: their head has to say t
 const SEVERAL: &str =
     "several columns are the acceleration along the same axis: choose of the columns: x=2";
 
-/// And what they have to be multiplied by to be in s and m/s².
+/// Where t, A_x, A_y and A_z stand, and their factors to be in s and m/s².
 struct Places {
     time: (usize, Option<f64>),
     axes: [Option<(usize, f64)>; 3],

@@ -13,7 +13,7 @@ const MOST: usize = 256;
 const RISE: f64 = 0.9;
 const FITS: f64 = 2.0;
 
-/// And what the body bears at most, as far as is known.
+/// The interval of μ_s, and what the body bears at most, as far as is known.
 pub(super) fn holding(
     sensor: &Sensor,
     pieces: &[Piece],

@@ -28,7 +28,7 @@ const SLIGHT: f64 = 0.02;
 /// and neither does what is less sure than so many standard errors.
 const SURE: f64 = 4.0;
 
-/// And neither rise nor fall smoothly into their neighbours.
+/// Flat pieces that do not rise or fall smoothly into their neighbours.
 fn plateaus(sensor: &Sensor, pieces: &[Piece]) -> Vec<Piece> {
     let fit = |piece: &&Piece| {
         is_flat(sensor, piece) && is_sharp(sensor, piece) && !is_caught(sensor, piece)
@@ -175,14 +175,14 @@ fn commonest(sensor: &Sensor, plateaus: &[Piece]) -> Line {
         .unwrap_or_default()
 }
 
-/// But for its ends, which a sensor's filter, or a stop, may have touched.
+/// The rows but for the ends, which a filter, or a stop, may have touched.
 fn core(piece: &Piece) -> [usize; 2] {
     let rows = piece.to - piece.from;
     let end = 4.min(rows / 4) + rows / 20;
     [piece.from + end, piece.to - end]
 }
 
-/// And the mean of N/m. Rows far off their middle do not count, as those between two slips; a size is greater by noise across.
+/// The coefficient, and the mean of N/m. Rows far off their middle do not count, as those between two slips; a size is greater by noise across.
 fn coefficient(sensor: &Sensor, [from, to]: [usize; 2]) -> (f64, f64) {
     let middle = median(sensor.ratio[from..to].iter().copied());
     let off = |k: usize| (sensor.ratio[k] - middle).abs();

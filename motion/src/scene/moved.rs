@@ -134,7 +134,7 @@ pub(super) fn moved(scene: &Scene, until: Until, floors: &Floors) -> Result<Move
 struct Made<'a> {
     scene: &'a Scene,
     floors: &'a Floors,
-    /// And the end of what is recorded.
+    /// Begin, and the end of what is recorded.
     from: f64,
     known: f64,
     place: [f64; 2],

@@ -16,7 +16,7 @@ use crate::numerics::{
 
 /// As a part of the largest contact velocity.
 const STOP: f64 = 1e-18;
-/// So does one below this part where rolling holds what sliding does not: rounding turns it by then.
+/// The same where rolling holds what sliding does not: rounding turns it by then.
 const STILL: f64 = 1e-12;
 /// As a part of the velocities of which it is the sum at the start.
 const NONE: f64 = 1e-14;
@@ -36,7 +36,7 @@ struct Run<'a> {
     pieces: Vec<Piece>,
     transitions: Vec<Transition>,
     begin: Option<Contact>,
-    /// Then what the rounding of the time makes of the pull is nothing.
+    /// Rolling has just ended: what rounding of the time makes of the pull is nothing.
     released: bool,
 }
 

@@ -58,10 +58,10 @@ pub enum End {
     Unfinished(Start),
 }
 
-/// Then a particle is followed alone: a hundred times those that all but a few need.
+/// Steps after which a particle is followed alone: a hundred times those that all but a few need.
 pub const STEPS: u32 = 5000;
 
-/// And binary logarithm of the size that the last two terms may have.
+/// Terms of the series, and binary logarithm of the size that the last two may have.
 const TERMS: usize = 20;
 const TOLERANCE: f64 = -40.0;
 

@@ -133,7 +133,7 @@ pub enum Ending<T> {
 /// An ending, and what the speeds on the way were.
 pub type Followed<T> = (Ending<T>, Speeds);
 
-/// Then a fate is undecided: ten times as many as any of 200,000 random starts took.
+/// Steps after which a fate is undecided: ten times as many as any of 200,000 random starts took.
 pub const STEPS: usize = 2_000;
 
 /// The fastest number for steps that need no dense output.

@@ -13,7 +13,7 @@ use slipbook::ledger::Record;
 use trialbook::notation::{pieces, plain_formula, plain_words};
 use trialbook::plotting::Table;
 
-/// Or one that is nearly a number, a range, a record or a formula.
+/// Any, or one that is nearly a number, a range, a record or a formula.
 pub(super) fn text() -> impl Strategy<Value = String> {
     prop_oneof![
         any::<String>(),

@@ -37,7 +37,7 @@ impl System<Double, 5, TERMS> for Slip {
     }
 }
 
-/// Or how large the slip is at the time `until`; nothing where it takes too long.
+/// Where a slip in the plane ends, or how large it is at the time `until`; nothing where it takes too long.
 fn slips(lambda0: f64, slip: [f64; 2], until: f64) -> Option<Result<f64, f64>> {
     let [u, v, zero, one, friction] = [slip[0], slip[1], 0.0, 1.0, lambda0].map(Double::from);
     let system = Slip(friction);

@@ -111,7 +111,7 @@ impl Tally {
         !all || self.is_recorded(kind)
     }
 
-    /// But for one case in a thousand, as machines may round a last bit otherwise.
+    /// Up to one case in a thousand, as machines may round a last bit otherwise.
     fn is_recorded(&self, kind: &str) -> bool {
         let record = record();
         let rows = record.lines().filter_map(|line| {

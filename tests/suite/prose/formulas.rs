@@ -107,7 +107,7 @@ fn name_at(latex: &str, at: usize) -> String {
     chars[at..end].iter().collect()
 }
 
-/// Also a command with its argument if it changes a name, or what stands in braces.
+/// A character, a command with its argument if it changes a name, or what stands in braces.
 fn part(chars: &[char], mut at: usize) -> usize {
     while chars.get(at) == Some(&' ') {
         at += 1;

@@ -20,7 +20,7 @@ static COSINES: LazyLock<[f64; 4 * POINTS]> =
 pub struct Fit {
     pub start: f64,
     pub end: f64,
-    /// Powers of the distance from the left end.
+    /// Of the powers of the distance from the left end.
     pub coefficients: Vec<f64>,
     /// Some roundings of the largest value, and of the argument where the function is steep.
     pub tolerance: f64,

@@ -26,7 +26,7 @@ pub struct Margins {
     pub escape: f64,
 }
 
-/// And how wide the last term may be: more are not worth it for cells that are not small.
+/// Terms of a series, and how wide the last may be: it takes no more for cells that are not small.
 const TERMS: usize = 10;
 const ACCURACY: f64 = 1e-7;
 
