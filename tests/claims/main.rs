@@ -284,7 +284,8 @@ fn term(latex: &str, at: &BTreeMap<&str, f64>) -> Option<f64> {
     }
 }
 
-/// Whether what a condition begins with holds, or by how little it does not: `a<b<c`, `a>b` or `a\neq b,c`; nothing if it is in words, or about something else.
+/// Whether what a condition begins with holds, or by how little it does not: `a<b<c`, `a>b` or `a\neq b,c`; nothing if it
+/// is in words, or about something else.
 fn holds(text: &str, at: &BTreeMap<&str, f64>, nearly: f64) -> Option<bool> {
     let (relation, _) = text.strip_prefix('$')?.split_once('$')?;
     if let Some((left, right)) = relation.split_once(r"\neq") {

@@ -182,7 +182,8 @@ fn core(piece: &Piece) -> [usize; 2] {
     [piece.from + end, piece.to - end]
 }
 
-/// The coefficient, and the mean of N/m. Rows far off their middle do not count, as those between two slips; a size is greater by noise across.
+/// The coefficient, and the mean of N/m. Rows far off their middle do not count, as those between two slips; a size is
+/// greater by noise across.
 fn coefficient(sensor: &Sensor, [from, to]: [usize; 2]) -> (f64, f64) {
     let middle = median(sensor.ratio[from..to].iter().copied());
     let off = |k: usize| (sensor.ratio[k] - middle).abs();
