@@ -1,5 +1,5 @@
-//! The workloads on which others are measured as well, each with the accuracy that it reaches:
-//! `cargo bench -p slipbook-benches --bench workloads`. `benches/peers` holds the same work as one would write it with other tools.
+//! The workloads on which others are measured as well: `cargo bench -p slipbook-benches --bench workloads`. `benches/peers` has
+//! the same work with other tools.
 
 use criterion::{BenchmarkGroup, Criterion, Throughput, measurement::WallTime};
 use rayon::prelude::*;
@@ -21,7 +21,6 @@ use trialbook::trials::points::Points;
 
 type Failure = Box<dyn std::error::Error>;
 
-/// Set for a process that is to prove and end, and for one that is to be the command.
 const COLD: &str = "SLIPBOOK_BENCH_COLD";
 const COMMAND: &str = "SLIPBOOK_BENCH_COMMAND";
 
@@ -63,7 +62,7 @@ fn group<'a>(c: &'a mut Criterion, name: &str, items: usize) -> BenchmarkGroup<'
     group
 }
 
-/// Starts at ρ = 0.5 with velocities on a square grid, to rest or to ρ = 100 or to τ = 50.
+/// Starts at ρ = 0.5 on a square grid of velocities, to rest, ρ = 100 or τ = 50.
 fn turntable(c: &mut Criterion) -> Result<(), Failure> {
     let horizon = Horizon {
         rho: 100.0,
@@ -88,7 +87,7 @@ fn turntable(c: &mut Criterion) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The ensemble against particles followed one by one, with series of a higher order and sums with a carry.
+/// Followed one by one with series of a higher order and sums with a carry.
 fn ends_against_single(horizon: &Horizon, starts: &[Start]) -> Result<(), Failure> {
     let sample: Vec<Start> = starts.iter().step_by(487).copied().collect();
     let (mut radius, mut time, mut mismatch) = (0.0_f64, 0.0_f64, 0);
@@ -113,10 +112,9 @@ fn ends_against_single(horizon: &Horizon, starts: &[Start]) -> Result<(), Failur
     Ok(())
 }
 
-/// Cells along each side of the plane of parameters.
 const SIDE: usize = 1000;
 
-/// The periodic motion at every pixel of 1 < q < 7, 0 < λ₀ < 1, by simulation and by the formulas.
+/// At every pixel of 1 < q < 7, 0 < λ₀ < 1, by simulation and by the formulas.
 fn census(c: &mut Criterion) -> Result<(), Failure> {
     let q = |i: usize| 1.0 + 6.0 * (i as f64 + 0.5) / SIDE as f64;
     let lambda = |j: usize| (j as f64 + 0.5) / SIDE as f64;
@@ -149,7 +147,6 @@ fn census(c: &mut Criterion) -> Result<(), Failure> {
     let columns: Vec<Column> = (0..SIDE)
         .map(|i| Column::new(q(i)))
         .collect::<Result<_, _>>()?;
-    // Row by row, as one would hand them on: memory grows with a row.
     let mut arcs = Vec::with_capacity(SIDE);
     let mut by_formula = |each: &mut dyn FnMut(usize, &[Arcs])| -> Result<(), Failure> {
         for j in 0..SIDE {
@@ -177,7 +174,7 @@ fn census(c: &mut Criterion) -> Result<(), Failure> {
     Ok(())
 }
 
-/// By how much the ends of the intervals miss the zeros of w, from ∫sin in closed form and the slope there.
+/// By how much interval ends miss the zeros of w, from ∫sin in closed form and the slope there.
 fn miss(attractor: &Attractor<'_>) -> f64 {
     let friction = attractor.friction();
     let list = attractor.intervals();
@@ -186,7 +183,6 @@ fn miss(attractor: &Attractor<'_>) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The same for what the formulas give.
 fn missed(friction: &Friction, arcs: &Arcs) -> f64 {
     let of = |sign, [start, end]: [f64; 2]| {
         if start < end {
@@ -208,7 +204,7 @@ fn end_missed(friction: &Friction, sign: Sign, start: f64, end: f64) -> f64 {
     (gained / (libm::sin(end) - level)).abs()
 }
 
-/// Digits that are certain: to be read, they would have to be right in all places.
+/// To be read, they would have to be right in all places.
 fn digits(c: &mut Criterion) -> Result<(), Failure> {
     let mut group = group(c, "w3-digits", 1);
     for (name, value) in [("q-Y", Q_Y), ("lambda-c", LAMBDA_C)] {
@@ -225,7 +221,7 @@ fn digits(c: &mut Criterion) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The time from θ₀ to θ (λ, θ₀, θ, v₀, A): by (13), and by quadrature of dt in x = ln tan(θ/2), which is smooth.
+/// The time from θ₀ to θ by (13), and by quadrature of dt in x = ln tan(θ/2), which is smooth.
 fn quadrature(c: &mut Criterion) -> Result<(), Failure> {
     let mut points = Points::here();
     let mut draw = |_| {
@@ -267,7 +263,7 @@ fn quadrature(c: &mut Criterion) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The same time as a sum of two integrals of powers, without cancellation.
+/// As a sum of two integrals of powers, without cancellation.
 fn stable(&[lambda, theta0, theta, v0, a]: &[f64; 5]) -> f64 {
     let u0 = libm::tan(theta0 / 2.0);
     let s = libm::log1p(
@@ -299,7 +295,6 @@ fn proofs(c: &mut Criterion) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The main job: all claims and the whole book.
 fn everything(c: &mut Criterion) -> Result<(), Failure> {
     let (program, folder) = (std::env::current_exe()?, tempfile::tempdir()?);
     let mut group = group(c, "w6-everything", 1);

@@ -1,15 +1,15 @@
-//! When the sliding coin moves, by the formulas alone, for many q at one λ₀: a few arithmetic operations each where
-//! there is motion one way only, one root from a good guess where a slip has to be followed to its end.
+//! When the sliding coin moves, by the formulas alone, for many q at one λ₀: one root from a good guess where a slip has to be
+//! followed to its end.
 
 use slipbook::paper::{anisotropic as printed, sinusoidal};
 use std::f64::consts::{PI, TAU};
 
-/// Forward and backward motion of a period of the large-time motion; rest in between.
+/// Of a period of the large-time motion; rest in between.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arcs {
-    /// Phases at which forward motion begins and ends; the first in [0, π), equal if there is none.
+    /// The first in [0, π); equal if there is none.
     pub forward: [f64; 2],
-    /// Phases at which backward motion begins and ends, not before forward motion ends; equal if there is none.
+    /// Not before forward motion ends; equal if there is none.
     pub backward: [f64; 2],
 }
 
@@ -17,7 +17,6 @@ pub struct Arcs {
 #[derive(Debug, Clone, Copy)]
 pub struct Column {
     pub q: f64,
-    /// K of (53), with its sine and cosine, and K/sin K.
     pub k: f64,
     pub sin: f64,
     pub cos: f64,
@@ -45,15 +44,15 @@ impl Column {
     }
 }
 
-/// The columns at one λ₀, one after the other: neighbours begin their search where the last ones ended theirs.
+/// One after the other: neighbours begin their search where the last ones ended theirs.
 #[derive(Debug, Clone)]
 pub struct Row {
     pub lambda0: f64,
-    /// Forward motion from rest to rest, with the sine and cosine of its last phase.
+    /// From rest to rest, with the sine and cosine of its last phase.
     pub forward: [f64; 2],
     pub sin: f64,
     pub cos: f64,
-    /// The last three ends of backward slips, the newest first, and how many of them there are.
+    /// The newest first.
     pub last: [f64; 3],
     pub known: usize,
     /// Whether those followed forward motion at once.
@@ -87,12 +86,11 @@ impl Row {
         })
     }
 
-    /// The motions at the columns, one after the other, are put behind what is in `arcs`.
+    /// Put behind what is in `arcs`.
     pub fn fill(&mut self, columns: &[Column], arcs: &mut Vec<Arcs>) {
         arcs.extend(columns.iter().map(|column| self.at(column)));
     }
 
-    /// The motion at a column.
     #[inline(always)]
     pub fn at(&mut self, column: &Column) -> Arcs {
         let (plus, minus) = (self.lambda0, column.q * self.lambda0);
@@ -108,7 +106,6 @@ impl Row {
         if let Some(arcs) = without_rest(plus, column) {
             return arcs;
         }
-        // The backward slip is the forward slip under λ₋, half a period later.
         let at_once = -self.sin >= minus;
         let (start, cos) = if at_once {
             (end - PI, -self.cos)
@@ -139,7 +136,6 @@ pub fn without_rest(plus: f64, column: &Column) -> Option<Arcs> {
         return None;
     }
     let cosine = libm::sqrt((1.0 - sine) * (1.0 + sine));
-    // Where forward motion may begin, backward motion may: see there.
     let holds = sine * cos + cosine * sin < plus;
     (!holds).then(|| {
         let middle = PI - libm::asin(sine);
@@ -150,8 +146,8 @@ pub fn without_rest(plus: f64, column: &Column) -> Option<Arcs> {
     })
 }
 
-/// Where the next slip is expected to end: half a period after its start if no end is known, else on the constant, the
-/// line or the parabola through the last ends, the newest first.
+/// Half a period after its start if no end is known, else on the constant, the line or the parabola through the last ends, the
+/// newest first.
 #[inline(always)]
 pub fn expected(known: usize, [a, b, c]: [f64; 3], start: f64) -> f64 {
     match known {
@@ -162,8 +158,8 @@ pub fn expected(known: usize, [a, b, c]: [f64; 3], start: f64) -> f64 {
     }
 }
 
-/// Where a slip under `lambda` ends that begins from rest at `start`, whose cosine is `cos`: the root of (32) between
-/// the phase at which it is fastest and one period after its start, by Halley's method in that bracket.
+/// From rest at `start`, whose cosine is `cos`: the root of (32) between the phase at which it is fastest and one period after
+/// its start, by Halley's method in that bracket.
 pub fn slip_end(lambda: f64, start: f64, cos: f64, guess: f64) -> f64 {
     let (mut low, mut high) = (start, start + TAU);
     let mut x = guess;
@@ -193,7 +189,6 @@ pub fn slip_end(lambda: f64, start: f64, cos: f64, guess: f64) -> f64 {
     x
 }
 
-/// A step after which the next would be below rounding.
 const CLOSE: f64 = 1e-17;
 /// Steps after which every other one halves the bracket, and steps in all.
 const BRACKET: usize = 8;

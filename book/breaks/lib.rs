@@ -1,5 +1,5 @@
-//! The door through which a page of the book breaks a formula and sees which trials notice. Each answer is JSON, with its
-//! length in bytes in front; it stays where it is until the next question.
+//! The door through which a page of the book breaks a formula and sees which trials notice. Answers are JSON, with their length
+//! in bytes in front, and stay until the next question.
 
 use serde::Serialize;
 use slipbook::breaks;
@@ -26,19 +26,19 @@ pub extern "C" fn claims() -> *const u8 {
     put(&claims.map(|c| (c.id, c.section, c.title)).collect::<Vec<_>>())
 }
 
-/// The ways to break the claim of this number; nothing for a number that none has.
+/// Nothing for a number that no claim has.
 #[unsafe(no_mangle)]
 pub extern "C" fn ways(claim: usize) -> *const u8 {
     put(&breaks::claims().get(claim).map(|c| breaks::breaks(c.id)))
 }
 
-/// By what it is told whether the module is made of the same; nothing for a number that none has.
+/// By this it is told whether the module is made of the same; nothing for a number that none has.
 #[unsafe(no_mangle)]
 pub extern "C" fn made(claim: usize) -> *const u8 {
     put(&breaks::claims().get(claim).map(|c| breaks::made(c)))
 }
 
-/// What the trials of this claim say when it is broken in this way; nothing for a number that none has.
+/// What the trials say; nothing for a number that none has.
 #[unsafe(no_mangle)]
 pub extern "C" fn broken(claim: usize, way: usize) -> *const u8 {
     let claims = breaks::claims();

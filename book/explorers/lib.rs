@@ -1,18 +1,16 @@
-//! The door through which the book's pages ask the explorers: their crate compiled to WebAssembly, without what a page has no
-//! use for.
+//! The door through which the book's pages ask the explorers: their crate compiled to WebAssembly.
 
 use slipbook_motion::explorers;
 use std::cell::RefCell;
 
 thread_local! {
-    /// The last answer; it stays where it is until the next question.
     static ANSWER: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
     /// A question in words, and then its answer.
     static TEXT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Puts a question and returns where its answer begins in the memory: the list of `Answer::flat` with its length in
-/// front, which is 0 where there is no answer.
+/// Puts a question and returns where its answer begins: `Answer::flat` with its length in front, which is 0 where there is no
+/// answer.
 #[unsafe(no_mangle)]
 pub extern "C" fn ask(number: u32, a: f64, b: f64, c: f64, d: f64) -> *const f64 {
     let found = explorers::answer(number as usize, [a, b, c, d]);
@@ -25,7 +23,7 @@ pub extern "C" fn ask(number: u32, a: f64, b: f64, c: f64, d: f64) -> *const f64
     })
 }
 
-/// Where a question in words, of so many bytes, is to be written.
+/// Where a question of so many bytes is to be written.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(length: usize) -> *mut u8 {
     TEXT.with_borrow_mut(|text| {
@@ -35,7 +33,7 @@ pub extern "C" fn room(length: usize) -> *mut u8 {
     })
 }
 
-/// What `explorers::scene::told` answers to what is written there, with its length in front.
+/// What `explorers::scene::told` answers, with its length in front.
 #[unsafe(no_mangle)]
 pub extern "C" fn tell() -> *const u8 {
     TEXT.with_borrow_mut(|text| {

@@ -4,10 +4,10 @@ use super::error::MotionError;
 use super::signal::Signal;
 use crate::numerics::taylor::TERMS;
 
-/// Taylor coefficients of a function of time, to the order of the integrator.
+/// Taylor coefficients by the time, to the order of the integrator.
 pub type Coefficients = [f64; TERMS];
 
-/// The acceleration A(t) of the plane in the laboratory, in length/time²: a body on it is pulled [the other way](super).
+/// The acceleration A(t) of the plane in the laboratory, in length/time²; a body is pulled [the other way](super).
 ///
 /// [`Plane`] makes one of signals, [`Fitted`](super::Fitted) one of a function's values or of a table, [`Series`] one of a
 /// function's Taylor coefficients.
@@ -36,7 +36,6 @@ pub trait Acceleration: Sync {
     }
 }
 
-/// Requires that the acceleration is known at `t`.
 pub(super) fn known(plane: &dyn Acceleration, t: f64) -> Result<(), MotionError> {
     let [from, to] = plane.times();
     let fit = t >= from && t <= to;
@@ -44,7 +43,6 @@ pub(super) fn known(plane: &dyn Acceleration, t: f64) -> Result<(), MotionError>
         .ok_or(MotionError::Outside { t, from, to })
 }
 
-/// The most steps of a motion on this plane.
 pub(super) fn most_steps(plane: &dyn Acceleration) -> usize {
     plane.pieces().saturating_mul(100).saturating_add(50_000)
 }
@@ -54,7 +52,7 @@ pub(super) fn most_steps(plane: &dyn Acceleration) -> usize {
 #[derive(Debug, Clone, Copy)]
 pub struct Series<F>(F);
 
-/// Places at which coefficients are tried, and the part of the range by which a series is followed there.
+/// How often coefficients are tried, and by which part of the range a series is followed there.
 const TRIED: u32 = 16;
 const SHARE: f64 = 1e-3;
 /// What may be missing, as a part of the largest change on the way.
@@ -94,7 +92,6 @@ impl<F: Fn(f64) -> [Coefficients; 2] + Sync> Acceleration for Series<F> {
     }
 }
 
-/// An acceleration given by two signals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plane {
     /// A_x, in length/time².
@@ -104,7 +101,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The same acceleration at all times: the plane gets faster along `a`, and a body on it is pulled along −`a`.
+    /// The plane gets faster along `a`, and a body on it is pulled along −`a`.
     pub fn constant(a: [f64; 2]) -> Self {
         Self {
             x: Signal::constant(a[0]),
@@ -120,7 +117,7 @@ impl Plane {
         }
     }
 
-    /// The plane accelerates by A(t) = amplitude(t) · (cos φ, sin φ), φ = frequency · t + phase.
+    /// A(t) = amplitude(t) · (cos φ, sin φ), φ = frequency · t + phase.
     pub fn rotating(amplitude: Signal, frequency: f64, phase: f64) -> Self {
         let turned =
             |phase| Signal::Product(vec![amplitude.clone(), Signal::Sine { frequency, phase }]);
@@ -156,7 +153,6 @@ mod tests {
         };
         let whole = |t: f64| [sine.coefficients(t), [0.0; TERMS]];
         for i in 0..2 {
-            // The other component is right.
             let beside = |t: f64, own: &[f64]| {
                 let mut c = [sine.coefficients(t); 2];
                 c[i] = [0.0; TERMS];

@@ -1,8 +1,5 @@
-//! Motions integrated in a time of their own.
-//!
-//! Friction turns a body that slides slowly infinitely fast: in the time t its law of motion is singular where the
-//! sliding speed is zero. In a time s that runs ever faster, dt = (sliding speed) ds, it is not. The time t then is
-//! one more component of the state, by convention the first.
+//! Motions integrated in a time s with dt = (sliding speed) ds: in the time t, then the first component of the state, the law of
+//! motion is singular where the sliding speed is zero.
 
 use super::error::MotionError;
 use crate::numerics::{
@@ -11,7 +8,7 @@ use crate::numerics::{
     taylor::{Control, Integrator, Step, System, TERMS},
 };
 
-/// A stretch of motion of `D` components, the first of which is the time t.
+/// The first of `D` components is the time t.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Clocked<const D: usize> {
     steps: Vec<Step<f64, D, TERMS>>,
@@ -61,17 +58,15 @@ impl<const D: usize> Clocked<D> {
         }
     }
 
-    /// State at the end.
     pub(crate) fn end(&self) -> &[f64; D] {
         &self.end
     }
 
-    /// The steps in order; in the last one the series serve to `h` as well.
+    /// In the last one the series serve to `h` as well.
     pub(crate) fn steps(&self) -> &[Step<f64, D, TERMS>] {
         &self.steps
     }
 
-    /// The states at the ends of the steps, in order.
     pub(crate) fn nodes(&self) -> impl Iterator<Item = [f64; D]> + '_ {
         let begins = self.steps.iter().map(|step| step.at(&0.0));
         begins.chain(std::iter::once(self.end))

@@ -6,10 +6,9 @@
 //! dq/dt = f·û − L,    q dθ/dt = f·n̂,
 //! ```
 //!
-//! θ forgets where it came from in a time q/|f|. Where f hardly changes in that, as in a slip by a pull that exceeds friction
-//! by little, what is left is one motion alone, whose θ is as slow as f: f·n̂ = q θ′ tells it from its own derivative, again and
-//! again, each time closer by the part q/|f| of the time in which f changes. Its power series in t serve for that whole time, to
-//! the stop too, where steps of a slide would follow each q/|f|.
+//! θ forgets where it came from in a time q/|f|. Where f hardly changes in that, what is left is one motion, whose θ is as slow
+//! as f: f·n̂ = q θ′ tells it from its own derivative, again and again, each time closer by the part q/|f| of the time in which f
+//! changes. Its power series in t serve for that whole time, to the stop too.
 
 use super::acceleration::Coefficients;
 use crate::numerics::{
@@ -18,9 +17,8 @@ use crate::numerics::{
     taylor::{TERMS, reach},
 };
 
-/// A motion with a direction that has no memory.
 pub(super) struct Creep {
-    /// Coefficients of the velocity, in powers of the time since.
+    /// In powers of the time since.
     pub velocity: [Coefficients; 2],
     /// Time for which they serve.
     pub h: f64,
@@ -38,8 +36,8 @@ const WIDE: f64 = 0.1;
 const SETTLED: f64 = 1e-17;
 const ROUNDS: usize = 16;
 
-/// The creep with the velocity `v` on a plane with the acceleration `a` about the present time, which serves for `left`; `limit`
-/// is L. If this motion is none, how many times q/|f| to wait before it may be one.
+/// With the velocity `v` and the acceleration `a` about the present time, which serves for `left`; `limit` is L. If this motion
+/// is none, how many times q/|f| to wait before it may be one.
 pub(super) fn creep(
     a: &[Coefficients; 2],
     limit: f64,
@@ -114,7 +112,7 @@ pub(super) fn creep(
     })
 }
 
-/// The direction of −A, which has this size, and the series of its components along that and across.
+/// With this size; and the series of its components along that and across.
 pub(super) fn pull(a: &[Coefficients; 2], size: f64) -> ([f64; 2], Coefficients, Coefficients) {
     let e = [-a[0][0] / size, -a[1][0] / size];
     let mut along: Coefficients = std::array::from_fn(|k| -(a[0][k] * e[0] + a[1][k] * e[1]));
@@ -129,7 +127,7 @@ pub(super) fn pull(a: &[Coefficients; 2], size: f64) -> ([f64; 2], Coefficients,
     (e, along, across)
 }
 
-/// The velocity of this size in the direction of these cosine and sine from `e`.
+/// In the direction of these cosine and sine from `e`.
 pub(super) fn velocity(
     e: [f64; 2],
     size: &Coefficients,

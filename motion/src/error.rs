@@ -44,7 +44,6 @@ pub enum MotionError {
     Numerics(#[from] NumericsError),
 }
 
-/// Requires that a parameter is fit.
 pub(super) fn check(
     name: &'static str,
     value: f64,
@@ -58,7 +57,6 @@ pub(super) fn check(
     }
 }
 
-/// Requires that what a motion has come to at the time `t` are numbers, and the time is.
 pub(super) fn finite(t: f64, state: &[f64]) -> Result<(), MotionError> {
     if t.is_finite() && state.iter().all(|x| x.is_finite()) {
         Ok(())

@@ -97,7 +97,7 @@ pub struct Fitted {
     error: f64,
 }
 
-/// A polynomial in the time since `from`, which holds until the next part begins.
+/// In the time since `from`, until the next part begins.
 #[derive(Debug, Clone, PartialEq)]
 struct Part {
     from: f64,
@@ -110,11 +110,9 @@ impl Part {
         self.powers.iter().rev().fold(0.0, |sum, a| sum * s + a)
     }
 
-    /// The coefficients about a later time.
     fn about(&self, t: f64) -> Coefficients {
         let s = t - self.from;
         let mut c = [0.0; TERMS];
-        // Horner's scheme for the polynomial in (s + τ).
         for a in self.powers.iter().rev() {
             for k in (1..self.powers.len().min(TERMS)).rev() {
                 c[k] = c[k] * s + c[k - 1];
@@ -125,22 +123,21 @@ impl Part {
     }
 }
 
-/// The least width, as a part of the range: the function is asked some ten times in each.
+/// As a part of the range: the function is asked some ten times in each.
 const NARROWEST: f64 = 1e-7;
-/// The shortest part that is still halved, as a part of the largest time: tens of thousands of numbers.
+/// As a part of the largest time: tens of thousands of numbers.
 const SHORTEST: f64 = 65_536.0 * f64::EPSILON;
-/// The most parts of a component.
 const MOST_PARTS: usize = 1 << 16;
-/// The fewest times at which a range without breaks is surveyed, and a part is held against its function.
+/// Times at which a range without breaks is surveyed, and a part is held against its function.
 const SURVEY: f64 = 64.0;
 const CHECKS: f64 = 4.0;
 /// Where the rounding of t·dA/dt is as large as that of A is allowed to be.
 const ROUNDING: f64 = 0.25;
-/// The most of the largest value that a fit may miss, however steep the function.
+/// As a part of the largest value, however steep the function.
 const LOOSEST: f64 = 1e-4;
-/// The fewest rows of a table: every second one has to make a spline too.
+/// Every second one has to make a spline too.
 const LEAST_ROWS: usize = 7;
-/// The largest value, whose products are still numbers.
+/// Its products are still numbers.
 const LARGEST: f64 = 1e50;
 
 impl Fitted {
@@ -148,11 +145,11 @@ impl Fitted {
     /// which it jumps or has a kink.
     ///
     /// `width` is how long the shortest pulse lasts, from its beginning to its end: the function is asked, and the fit held
-    /// against it, at least once in each half of it, from break to break. A pulse of this width or more is seen wherever it
-    /// lies; a shorter one may lie between, unless breaks enclose it.
+    /// against it, at least once in each half of it, from break to break. A shorter pulse may lie between, unless breaks enclose
+    /// it.
     ///
-    /// [`error`](Self::error) is measured at all these times. No part of the fit misses a component by more than
-    /// 4·10⁻¹⁵ (max |A| + t max |dA/dt|): its rounding, and that of t and of the phases in which t is multiplied.
+    /// [`error`](Self::error) is measured at all these times. No part misses a component by more than 4·10⁻¹⁵ (max |A| + t max
+    /// |dA/dt|): its rounding, and that of t and of the phases in which t is multiplied.
     ///
     /// Asks the function some ten times in each `width` and some hundred times for each oscillation.
     ///
@@ -213,13 +210,12 @@ impl Fitted {
         })
     }
 
-    /// From a table of times and the plane's acceleration (A_x, A_y) in length/time², by cubic splines through all of it, natural at the ends.
-    /// [`error`](Self::error) is an estimate from the table itself: the largest distance of a row that is left out from the
-    /// spline through every second one. A spline through all is better, by sixteen where the table resolves the motion;
-    /// noise of the instrument is in it as it is in the table. Noise across the drive is a drive too: a particle then hardly
-    /// ever comes to v = 0.
+    /// From a table of times and the plane's acceleration (A_x, A_y) in length/time², by cubic splines through all of it, natural
+    /// at the ends. [`error`](Self::error) is an estimate from the table itself: the largest distance of a row that is left out
+    /// from the spline through every second one. A spline through all is better, by sixteen where the table resolves the motion.
+    /// Noise across the drive is a drive too: a particle then hardly ever comes to v = 0.
     ///
-    /// The work is proportional to the rows; so is that of a motion, which takes a step at least from row to row.
+    /// The work is proportional to the rows; a motion takes a step at least from row to row.
     ///
     /// # Errors
     /// [`FitError`]: fewer than seven rows, times that do not rise, values that are not finite.
@@ -319,13 +315,12 @@ impl Fitted {
         [self.components[0][0].from, self.until]
     }
 
-    /// Whether its second component is zero.
     pub(crate) fn is_along_x(&self) -> bool {
         let mut powers = self.components[1].iter().flat_map(|part| &part.powers);
         powers.all(|a| *a == 0.0)
     }
 
-    /// The largest error of a component, in length/time²: measured for a function, estimated for a table.
+    /// Of a component, in length/time²: measured for a function, estimated for a table.
     pub fn error(&self) -> f64 {
         self.error
     }
@@ -344,15 +339,14 @@ fn rise(from: f64, to: f64) -> Result<(), FitError> {
     fit.then_some(()).ok_or(FitError::Times { from, to })
 }
 
-/// Times in [a, b] no farther apart than half the width, at least so many; the outer ones are some numbers off the ends,
-/// where a jump may be.
+/// No farther apart than half the width, at least so many; the outer ones are some numbers off the ends, where a jump may be.
 fn times([a, b]: [f64; 2], width: f64, least: f64, shortest: f64) -> impl Iterator<Item = f64> {
     let n = (2.0 * (b - a) / width).ceil().max(least);
     let off = shortest.min(b - a) / 1024.0;
     (0..=n as usize).map(move |k| (a + (b - a) * (k as f64 / n)).clamp(a + off, b - off))
 }
 
-/// The polynomials of a component of about this size and slope between the edges, and by how much they miss it.
+/// Between the edges, for a component of about this size and slope; and by how much they miss it.
 fn chain(
     function: impl Fn(f64) -> Result<f64, FitError>,
     edges: &[f64],
@@ -406,7 +400,7 @@ fn chain(
     Ok((parts, error))
 }
 
-/// The natural cubic spline through a component of the rows.
+/// Natural and cubic, through a component of the rows.
 fn spline(rows: &[(f64, [f64; 2])], i: usize) -> Vec<Part> {
     let n = rows.len();
     let step = |k: usize| rows[k + 1].0 - rows[k].0;
@@ -453,7 +447,7 @@ impl Acceleration for Fitted {
             parts.get(k).map(|part| part.from)
         };
         let [x, y] = [0, 1].map(|i| next(&self.components[i]));
-        // The end of all times is a break too: a step that passed it would trust the last polynomial beyond.
+        // The end of all times is a break too, or a step would trust the last polynomial beyond it.
         let end = (t < self.until).then_some(self.until);
         [x, y, end].into_iter().flatten().reduce(f64::min)
     }
@@ -476,7 +470,7 @@ pub(super) mod tests {
     use super::*;
     use crate::{MotionError, Plane, Signal, State, run, run_to_stop};
 
-    /// A record of a plane that is shaken, with noise: a slip may begin and end every few rows.
+    /// With noise: a slip may begin and end every few rows.
     pub(crate) fn noisy(from: f64, rows: u32, seed: u64) -> Fitted {
         let mut state = seed;
         let mut random = || {
@@ -495,7 +489,6 @@ pub(super) mod tests {
         State::moving([1.0, 0.5])
     }
 
-    /// A sine by its values moves a particle as the sine by its series does.
     #[test]
     fn a_function_moves_a_particle_as_its_series_does() {
         for ([x, y], from) in [
@@ -524,7 +517,6 @@ pub(super) mod tests {
         }
     }
 
-    /// Of either component, and of functions that need parts where the other one needs none.
     #[test]
     fn every_part_begins_at_a_break() {
         let [from, to] = [-4.0, 6.0];
@@ -549,7 +541,6 @@ pub(super) mod tests {
         }
     }
 
-    /// Where the time is not the phase of the fit.
     #[test]
     fn an_error_names_the_time() {
         for (from, to, at) in [(20.0, 28.0, 23.0), (-7.0, -1.0, -2.0), (0.0, 100.0, 60.0)] {
@@ -578,7 +569,6 @@ pub(super) mod tests {
         assert!(matches!(refused, FitError::Unresolved { t } if (t - 1.0).abs() < 1e-6));
         assert!(Fitted::from_fn(jump, [1.0, 1.0], 0.1, &[]).is_err());
         assert!(Fitted::from_fn(|_| [f64::NAN, 0.0], [0.0, 1.0], 0.1, &[]).is_err());
-        // Beyond its times there is no motion.
         for (from, until, told) in [(0.0, 4.0, 4.0), (-1.0, 2.0, -1.0), (5.0, 5.0, 5.0)] {
             let start = State { t: from, ..start() };
             let outside = MotionError::Outside {
@@ -588,13 +578,11 @@ pub(super) mod tests {
             };
             assert_eq!(run(&listed, 0.1, start, until), Err(outside));
         }
-        // A stop within them is found, whatever the end.
         let slow = State::moving([-0.1, 0.0]);
         assert!(run_to_stop(&listed, 1.0, slow, 9.0).is_ok());
         assert!(run_to_stop(&listed, 0.1, start(), 9.0).is_err());
     }
 
-    /// Where the rows lie unevenly too, slope and curvature of the spline are continuous.
     #[test]
     fn a_spline_is_smooth() {
         let times = [0.0, 0.1, 0.5, 0.6, 1.7, 2.0, 3.1, 3.2, 4.0];
@@ -610,13 +598,11 @@ pub(super) mod tests {
         }
     }
 
-    /// The stated error is no smaller than the true one, and falls as a spline's does.
     #[test]
     fn a_table_states_its_error() {
         let function = |t: f64| [libm::sin(2.0 * t), libm::cos(t)];
         let of = |rows: u32| {
             let times = (0..=rows).map(|k| 6.0 * f64::from(k) / f64::from(rows));
-            // Natural at the ends as the first component is at t = 0; the second is not.
             let rows: Vec<_> = times.map(|t| (t, function(t))).collect();
             Fitted::from_table(&rows).unwrap()
         };
@@ -648,8 +634,8 @@ pub(super) mod tests {
         assert!(Fitted::from_table(&back).is_err());
     }
 
-    /// A jolt in the last row alone, of an even and of an odd number. The spline through every second row and the last is
-    /// known from its tridiagonal system; of the rows left out it misses the last but one most.
+    /// The spline through every second row and the last is known from its tridiagonal system; of the rows left out it misses the
+    /// last but one most.
     #[test]
     fn the_last_row_is_among_those_that_tell_the_error() {
         for (rows, error) in [(8, 33.0 / 164.0), (9, 179.0 / 448.0)] {
@@ -682,7 +668,7 @@ pub(super) mod tests {
         ));
     }
 
-    /// A pull with a single pulse on a block at rest: where it comes to, from the antiderivatives by hand with 25 digits.
+    /// With a single pulse; where the block comes to, from the antiderivatives by hand with 25 digits.
     #[test]
     fn a_short_pulse_in_a_long_record_moves_a_block() {
         let moved =
@@ -732,8 +718,7 @@ pub(super) mod tests {
         );
     }
 
-    /// Smooth ones of exactly the width, from nothing to nothing; alone, by twos, on waves, next to a break, and small
-    /// beside what else there is: each is met to the promise, at any place.
+    /// Smooth ones of exactly the width: alone, by twos, on waves, next to a break, and small beside what else there is.
     #[test]
     fn a_pulse_of_the_width_is_seen_wherever_it_lies() {
         let width = 0.05;
@@ -759,7 +744,6 @@ pub(super) mod tests {
                         let u = (t - at) / (0.5 * width);
                         height * (pulse(u) - pulse(u - twin / (0.5 * width)))
                     };
-                    // A jump at 5.
                     let function = |t: f64| {
                         [
                             pulses(t),
@@ -815,7 +799,6 @@ pub(super) mod tests {
         }
     }
 
-    /// What their phases lose by rounding is allowed; more oscillations than parts are refused for that reason.
     #[test]
     fn long_waves_are_met_to_the_rounding_of_their_phase() {
         let turn = std::f64::consts::TAU;
@@ -847,7 +830,6 @@ pub(super) mod tests {
                 "{refused}"
             );
         }
-        // Ranges so short, so late or so large that numbers hardly tell their times apart.
         for [from, to] in [[1e9, 1e9 + 1e-6], [1e308, 1.7e308], [0.0, 1e-300]] {
             let jump = |t: f64| [f64::from(u8::from(t >= from + 0.6 * (to - from))), 0.0];
             let refused = Fitted::from_fn(jump, [from, to], f64::INFINITY, &[]);
@@ -862,7 +844,6 @@ pub(super) mod tests {
         ));
     }
 
-    /// By no more than the bound that its error gives, and by a good part of it.
     #[test]
     fn a_motion_carries_the_error_of_its_drive() {
         let shaking = |t: f64| [2.0 * libm::sin(3.0 * t), libm::cos(2.0 * t)];

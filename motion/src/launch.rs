@@ -9,8 +9,8 @@ use super::{
 };
 use std::f64::consts::PI;
 
-/// A particle that leaves the origin at t = 0 with speed v₀ and angle θ₀ from the x axis, on a plane that
-/// accelerates with −A x̂: the particle is [pulled](super) along +x. One that moves as the plane gets faster has θ₀ = π.
+/// From the origin at t = 0 with speed v₀ and angle θ₀ from the x axis, on a plane that accelerates with −A x̂: the particle is
+/// [pulled](super) along +x. One that moves as the plane gets faster has θ₀ = π.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Launch {
     lambda: f64,
@@ -46,8 +46,7 @@ impl Launch {
         })
     }
 
-    /// The velocity at the launch, (v_x, v_y). At θ₀ = π it is exactly along the axis, which the sine of the
-    /// rounded π is not.
+    /// (v_x, v_y) at the launch. At θ₀ = π it is exactly along the axis, which the sine of the rounded π is not.
     pub fn velocity(&self) -> [f64; 2] {
         let sine = if self.theta0 == PI {
             0.0
@@ -65,8 +64,7 @@ impl Launch {
         run(&self.plane(), self.friction(), self.start(), until)
     }
 
-    /// Whether the particle comes to rest and stays: for λ > 1, and at λ = 1 for a start straight against the
-    /// inertial force, at θ₀ = π.
+    /// For λ > 1, and at λ = 1 for θ₀ = π, straight against the inertial force.
     pub fn comes_to_rest(&self) -> bool {
         self.lambda > 1.0 || self.lambda == 1.0 && self.theta0 == PI
     }
@@ -78,7 +76,6 @@ impl Launch {
     pub fn motion_to_rest(&self) -> Result<Motion, MotionError> {
         let range = "above 1, or 1 with θ₀ = π, for the particle to stop";
         check("λ", self.lambda, self.comes_to_rest(), range)?;
-        // The speed falls at least at the rate μg − A; friction against the motion and A together stop it within v₀/A.
         let rate = self.friction() - self.a;
         let latest = if rate > 0.0 {
             2.0 * self.v0 / rate
@@ -92,7 +89,6 @@ impl Launch {
         Plane::constant([-self.a, 0.0])
     }
 
-    /// μg.
     fn friction(&self) -> f64 {
         self.lambda * self.a
     }

@@ -24,9 +24,9 @@
 //!
 //! # How
 //!
-//! The plane is pulled with the acceleration A(t); in its frame a body feels −A per unit of mass. Dry friction
-//! adds μg against the velocity while the body slides. At rest, friction holds it as long as it can, up to the
-//! same μg: the body starts to slide when |A| exceeds μg, and not before. That is all the physics in this module:
+//! The plane is pulled with the acceleration A(t); in its frame a body feels −A per unit of mass. Dry friction adds μg against
+//! the velocity while the body slides. At rest, friction holds it as long as it can, up to the same μg: the body starts to slide
+//! when |A| exceeds μg, and not before. That is all the physics:
 //!
 //! ```text
 //! sliding:   dv/dt = −A(t) − μg v/|v|
@@ -35,7 +35,7 @@
 //!
 //! Where it holds more than it brakes, as static friction does, a [`Friction`] says so.
 //!
-//! One sign for all of it: A is how the plane accelerates, in the laboratory, and what the body on it feels is the opposite.
+//! A is how the plane accelerates in the laboratory; what the body on it feels is the opposite.
 //!
 //! ```text
 //!      in the laboratory                on the plane
@@ -51,10 +51,9 @@
 //! Velocities and places are those on the plane, in axes that do not turn. What moves with a truck while that speeds up slides
 //! against its A; where a formula of section 2.1 has the pull along x, as in [`Launch`], A is −A x̂.
 //!
-//! Two points need care, and both are where v = 0. On the way to a stop the direction of v can turn
-//! infinitely fast; so sliding is integrated in a time s that runs ever faster, dt = |v| ds, in which nothing is
-//! singular ([`run`]). And a body at rest whose friction is just overcome has no direction yet; its
-//! first moments come from a power series in t about the start.
+//! Two points with v = 0 need care. On the way to a stop the direction of v can turn infinitely fast; so sliding is integrated in
+//! a time s that runs ever faster, dt = |v| ds, in which nothing is singular ([`run`]). And a body at rest whose friction is just
+//! overcome has no direction yet; its first moments come from a power series in t about the start.
 //!
 //! A [`Spring`] may hold the block too: one more force in the same law. What is known of A(t) by its values alone,
 //! from a function or a table, becomes pieces of polynomials with a stated error ([`Fitted`]). What a sensor on the body

@@ -1,12 +1,12 @@
 //! Friction from a recording: how much an accelerometer on a sliding body says of μ_k and μ_s.
 //!
-//! An accelerometer that lies on the sliding body, or is it, as a phone does, feels the force of contact per mass, however the floor is
-//! shaken or tilted: along the floor friction f/m, across it N/m. Where Coulomb's law holds, a slip is a plateau, |f| = μ_k N, that
-//! ends with a jump or a kink, and |f| ≤ μ_s N is all that is known of the rest. [`measure`] looks for such plateaus.
+//! An accelerometer that lies on the sliding body, or is it, as a phone does, feels the force of contact per mass, however the
+//! floor is shaken or tilted: along the floor friction f/m, across it N/m. Where Coulomb's law holds, a slip is a plateau, |f| =
+//! μ_k N, that ends with a jump or a kink, and |f| ≤ μ_s N is all that is known of the rest.
 //!
-//! A sensor on the *floor* records how that moves, which says nothing of friction; as long as nothing slips, one on the body
-//! records the same. Nor can a recording tell a plateau of slip from a floor that for a while accelerates evenly: it is taken for
-//! granted that the body slid. A rest on a tilted floor is told from a slip by x² + z² = g². While a hand pushes the body, or a stop catches it, more than friction acts.
+//! A sensor on the *floor* says nothing of friction; nor can a recording tell a plateau of slip from a floor that for a while
+//! accelerates evenly: it is taken for granted that the body slid. A rest on a tilted floor is told from a slip by x² + z² = g².
+//! More than friction acts while a hand pushes the body, or a stop catches it.
 
 mod holding;
 mod kinetic;
@@ -29,7 +29,7 @@ pub struct Settings {
     /// Times, in s, between which the body lay at rest on level floor: they show the zeros of the sensor. Where none are given,
     /// quiet stretches with less than g/20 along the floor count as such.
     pub rest: Option<[f64; 2]>,
-    /// How far the zeros may be off if there is no rest: their standard deviation, in m/s², from 0.001 to 1000.
+    /// Standard deviation of the zeros if there is no rest, in m/s², from 0.001 to 1000.
     pub offset: f64,
 }
 
@@ -164,13 +164,13 @@ pub struct Measured {
     pub stretches: Vec<Stretch>,
     /// Whether Coulomb's law fits.
     pub verdict: Verdict,
-    /// Standard deviation of the sensor's noise, along one axis, at rest, or else from row to row, in m/s².
+    /// Standard deviation along one axis, at rest, or else from row to row, in m/s².
     pub noise: f64,
-    /// Whether a rest has shown the zeros of the sensor.
+    /// Whether a rest has shown the sensor's zeros.
     pub zeroed: bool,
-    /// Whether N/m is measured; else it is taken to be g, as on level floor.
+    /// N/m is measured; else it is taken to be g.
     pub normal: bool,
-    /// Whether what differs to and fro is taken for a tilt of the floor.
+    /// What differs to and fro is taken for a tilt of the floor.
     pub tilted: bool,
 }
 
@@ -263,15 +263,14 @@ const LARGEST: f64 = 1e6;
 
 /// Finds slips and rests in what a sensor on the sliding body has recorded, and the coefficients of friction.
 ///
-/// - *μ_k* is the mean of |f|/N over the plateaus, which have to agree. Its interval is from the scatter of plateaus, or of parts of them
-///   where they are few, but no less than from the noise at rest, of which neighbours may be alike, as behind a filter; it contains what is
-///   unknown of the zeros of the sensor.
+/// - *μ_k* is the mean of |f|/N over the plateaus, which have to agree. Its interval is from the scatter of plateaus, or of their
+///   parts where they are few, but no less than from the noise at rest; it contains what is unknown of the zeros of the sensor.
 /// - *μ_s* is where |f|/N was, by a straight line through the last rows of rest, when the body broke loose; its interval has noise
 ///   and the time between two rows. It broke loose where a plateau begins from a rise, with f in the same direction.
 /// - The [`Verdict`] compares plateaus with each other, and within.
 ///
 /// N/m is the acceleration along z, if that contains gravity; else it is g, as on a level floor that is shaken along itself, and
-/// [`Measured::assumed`] says so. What is as large as at rest on a tilted floor is no slip. A plateau needs some twelve rows. O(n log n): a second for 300,000 rows.
+/// [`Measured::assumed`] says so. A plateau needs some twelve rows. O(n log n): a second for 300,000 rows.
 ///
 /// # Errors
 /// [`MeasureError`]: fewer than 64 rows, rows that are no numbers or whose times do not rise, settings out of their range.
@@ -291,11 +290,9 @@ pub fn measure(recording: &Recording, settings: &Settings) -> Result<Measured, M
     Ok(found)
 }
 
-/// What a sensor says, and its zeros by slips to and fro.
 fn by(mut sensor: Sensor) -> (Measured, [f64; 2]) {
     let mut pieces = sensor.pieces();
     let (mut slips, rests) = kinetic::slips(&sensor, &pieces);
-    // Slips to and fro show the zeros too.
     if !sensor.zeroed && !slips.is_empty() {
         sensor.shift(kinetic::fit(&sensor, &slips).1);
         let again = sensor.pieces();
@@ -329,7 +326,6 @@ fn by(mut sensor: Sensor) -> (Measured, [f64; 2]) {
     (found, sensor.shifted)
 }
 
-/// What the body does, by what friction can do at most.
 fn stretches(sensor: &Sensor, pieces: &[Piece], slips: &[Piece], held: f64) -> Vec<Stretch> {
     let mut slipping = slips.iter().peekable();
     let mut list: Vec<Stretch> = Vec::new();
@@ -353,7 +349,6 @@ fn stretches(sensor: &Sensor, pieces: &[Piece], slips: &[Piece], held: f64) -> V
     list
 }
 
-/// The middle one of some numbers.
 pub(crate) fn median(numbers: impl Iterator<Item = f64>) -> f64 {
     let mut all: Vec<_> = numbers.collect();
     if all.is_empty() {

@@ -26,7 +26,7 @@ pub struct Onset {
     pub h: f64,
 }
 
-/// |f₀| − L below this part of L counts as zero: then the start is at the very moment when f outgrows friction.
+/// |f₀| − L below this part of L counts as zero: f outgrows friction at this very moment.
 const THRESHOLD: f64 = 1e-12;
 
 /// The start under a drive f whose coefficient m is `drive(m, c)`, from the coefficients of c up to m; `limit` is L. A series
@@ -146,7 +146,6 @@ mod tests {
         }
     }
 
-    /// Units of 2ᵏ round nothing: what the first moments are does not depend on them, close to the threshold either.
     #[test]
     fn units_change_no_bit_of_the_first_moments() {
         for excess in [0.0, 3e-13, 1e-10, 0.5] {

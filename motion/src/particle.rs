@@ -17,7 +17,7 @@ use super::{
 };
 use crate::numerics::{series::value, taylor::reach};
 
-/// Coulomb friction per unit of mass, in length/time². A number is a friction that holds as much as it brakes: `0.3 * g`.
+/// Coulomb friction per unit of mass, in length/time². A number holds as much as it brakes: `0.3 * g`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Friction {
     /// μg, against a body that slides.
@@ -48,19 +48,19 @@ impl Friction {
     }
 }
 
-/// Requires a size whose squares are numbers.
+/// Its square has to be a number.
 fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
     let fit = value == 0.0 || (SMALLEST..=LARGEST).contains(&value);
     check(name, value, fit, "0 or between 1e-50 and 1e50")
 }
 
-/// The motion of a particle from `start` until the time `until`, on a plane that accelerates by A(t), which [pulls](super) it
-/// along −A, with the given `friction` (μg, or a [`Friction`] that holds more than it brakes). A start with v = 0 is allowed: it
-/// sticks or begins to slide.
+/// The motion of a particle from `start` until the time `until`, on a plane that accelerates by A(t), [pulled](super) along −A,
+/// with the `friction` (μg, or a [`Friction`] that holds more than it brakes). A start with v = 0 is allowed: it sticks or begins
+/// to slide.
 ///
-/// Stop and start times, v and t are right to about 10⁻¹² relative where the problem is well conditioned, for the
-/// acceleration as it is given: what its own error makes of them says [`Motion::drive_error`]. The
-/// time scales of the acceleration should lie between 10⁻¹⁰ and 10¹⁰ of the unit of time.
+/// Stop and start times, v and t are right to about 10⁻¹² relative where the problem is well conditioned, but for the
+/// acceleration's own error: see [`Motion::drive_error`]. The time scales of the acceleration should lie between 10⁻¹⁰ and 10¹⁰
+/// of the unit of time.
 ///
 /// # Errors
 /// [`MotionError::Argument`] for a parameter that is not finite or out of range: friction, speed and |A| are 0 or
@@ -97,22 +97,19 @@ pub fn run_to_stop(
 const LARGEST: f64 = 1e50;
 const SMALLEST: f64 = 1e-50;
 
-/// A motion in the making.
 struct Run<'a> {
     plane: &'a dyn Acceleration,
     friction: f64,
     holding: f64,
     until: f64,
     steps: usize,
-    /// State reached.
     state: State,
     motion: Motion,
 }
 
-/// The acceleration about a time, and how long its series serves.
 struct Local {
     a: [Coefficients; 2],
-    /// The least of: what its last coefficients allow, the next break, the end of the motion.
+    /// What its last coefficients allow, up to the next break or the end of the motion.
     left: f64,
     /// The time at which `left` is over, if a break or the end ends it.
     landing: Option<f64>,
@@ -184,7 +181,6 @@ impl<'a> Run<'a> {
         self.done()
     }
 
-    /// The motion up to here.
     fn done(mut self) -> Result<Motion, MotionError> {
         let State { t, v, x } = self.state;
         finite(t, &[v, x].concat())?;
@@ -192,7 +188,6 @@ impl<'a> Run<'a> {
         Ok(self.motion)
     }
 
-    /// The acceleration about the present time.
     fn local(&mut self) -> Result<Local, MotionError> {
         let t = self.state.t;
         self.steps += 1;
@@ -229,7 +224,7 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// A piece over the time `h`, or until it lands, with a velocity known by its series.
+    /// Over the time `h`, or until it lands, with a velocity known by its series.
     fn arc(&mut self, v: [Coefficients; 2], h: f64, landing: Option<f64>) {
         let State { t, x, .. } = self.state;
         let path: [Coefficients; 2] = [0, 1].map(|i| {
@@ -252,13 +247,12 @@ impl<'a> Run<'a> {
         self.push(Piece::Arc(Box::new(arc)), end);
     }
 
-    /// Ends a piece: the motion is now in `state`.
     fn push(&mut self, piece: Piece, state: State) {
         self.motion.pieces.push(piece);
         self.state = state;
     }
 
-    /// Ends a phase; two slides that follow each other without a stop are one.
+    /// Two slides that follow each other without a stop are one.
     fn close(&mut self, kind: PhaseKind, from: f64) {
         let to = self.state.t;
         let stopped_here = self.motion.stops.last() == Some(&from);

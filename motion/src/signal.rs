@@ -55,7 +55,7 @@ pub enum Signal {
     Product(Vec<Signal>),
 }
 
-/// Widths after which a Gaussian is taken as zero.
+/// In widths.
 const CUT: f64 = 12.0;
 
 impl Signal {
@@ -74,7 +74,6 @@ impl Signal {
         let mut c = [0.0; TERMS];
         match self {
             Self::Polynomial(given) => {
-                // Horner's scheme for the polynomial in (t + τ).
                 for a in given.iter().rev() {
                     for k in (1..given.len().min(TERMS)).rev() {
                         c[k] = c[k] * t + c[k - 1];
@@ -143,7 +142,6 @@ impl Signal {
     }
 }
 
-/// The product of two series.
 fn multiplied(a: &Coefficients, b: &Coefficients) -> Coefficients {
     let terms = |c: &Coefficients| c.iter().rposition(|c| *c != 0.0).map_or(0, |k| k + 1);
     let (few, many) = if terms(a) < terms(b) { (a, b) } else { (b, a) };

@@ -73,16 +73,15 @@ pub enum Contact {
     Rolling,
 }
 
-/// A moment at which the velocity of the point of contact is zero and the kind of motion may change.
+/// The velocity of the point of contact is zero and the kind of motion may change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transition {
     /// When.
     pub t: f64,
-    /// What comes after. Sliding may follow on sliding: then the velocity only passes through zero.
+    /// Sliding may follow on sliding: then the velocity only passes through zero.
     pub to: Contact,
 }
 
-/// Vector product.
 #[inline(always)]
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [
@@ -124,8 +123,8 @@ impl Sphere {
     /// pulled. A contact velocity
     /// below 10⁻¹⁴ of the velocities of which it is the sum counts as zero at the start.
     ///
-    /// Times, v, ω and x are right to about 10⁻¹² relative where the problem is well conditioned, for the acceleration as it
-    /// is given: what its own error makes of them says [`BallMotion::drive_error`].
+    /// Times, v, ω and x are right to about 10⁻¹² relative where the problem is well conditioned, but for the acceleration's own
+    /// error: see [`BallMotion::drive_error`].
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a parameter out of range, [`MotionError::Outside`] for times at which the acceleration is not
@@ -158,7 +157,6 @@ impl Sphere {
         run::run(self, holding, plane, start, until)
     }
 
-    /// R, from the centre to the point of contact.
     fn arm(&self) -> [f64; 3] {
         [0.0, 0.0, -self.radius]
     }
@@ -168,7 +166,7 @@ impl Sphere {
         self.mu * self.mass * self.g
     }
 
-    /// dv/dt and dω/dt by a horizontal force at the point of contact alone.
+    /// By a horizontal force at the point of contact.
     #[inline(always)]
     fn response(&self, force: [f64; 2]) -> ([f64; 2], [f64; 3]) {
         let [x, y, z] = cross(self.arm(), [force[0], force[1], 0.0]);
@@ -178,7 +176,7 @@ impl Sphere {
         )
     }
 
-    /// dc/dt by a horizontal force at the point of contact, for which c answers in the direction of the force.
+    /// dc/dt by a horizontal force at the point of contact.
     fn yielding(&self, force: f64) -> f64 {
         let ([a, _], spin) = self.response([force, 0.0]);
         a + cross(spin, self.arm())[0]
@@ -205,10 +203,9 @@ impl Sphere {
     }
 }
 
-/// Components x, y, v_x, v_y, ω_x, ω_y, ω_z, c_x, c_y; with the time in front where it is one of them.
+/// x, y, v_x, v_y, ω_x, ω_y, ω_z, c_x, c_y; the time in front where it is one of them.
 const PARTS: usize = 9;
 
-/// A piece of a motion with one analytic description.
 #[derive(Debug, Clone, PartialEq)]
 enum Piece {
     /// Sliding, in the time s.
@@ -238,7 +235,6 @@ impl Piece {
         }
     }
 
-    /// All components at time `t`.
     fn parts(&self, t: f64) -> Result<[f64; PARTS], MotionError> {
         Ok(match self {
             Self::Slide { step, .. } => {
@@ -259,7 +255,6 @@ pub struct BallMotion {
     transitions: Vec<Transition>,
     begin: Contact,
     start: Ball,
-    /// Velocity of the point of contact at the start.
     slip: [f64; 2],
     end: Ball,
     drive_error: f64,
@@ -271,8 +266,8 @@ impl BallMotion {
         &self.transitions
     }
 
-    /// The [`error`](Acceleration::error) of a component of the acceleration that was given, in length/time²; v and x are off by
-    /// at most as much as those of a [particle](super::Motion::drive_error).
+    /// The [`error`](Acceleration::error) of a component of the acceleration, in length/time²; v and x are off by at most as much
+    /// as those of a [particle](super::Motion::drive_error).
     pub fn drive_error(&self) -> f64 {
         self.drive_error
     }
@@ -347,7 +342,6 @@ impl BallMotion {
         self.tracked(7)
     }
 
-    /// By the components of the velocity from this one on.
     fn tracked(&self, first: usize) -> Result<Track<'_>, MotionError> {
         let parts = self.pieces.iter().map(|piece| {
             let (own, series) = match piece {

@@ -15,7 +15,7 @@ use super::{
 /// A spring and the friction under the block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spring {
-    /// Frequency ω of the block on the spring without friction, in 1/time; 0 for no spring.
+    /// ω of the block on the spring without friction, in 1/time; 0 for no spring.
     pub frequency: f64,
     /// μg, in length/time².
     pub friction: f64,
@@ -152,7 +152,6 @@ mod tests {
             (after.x + 0.5 - 0.5 * (2.0 - 2.0_f64.sin())).abs() < 1e-13,
             "{after:?}"
         );
-        // All of it from the other side.
         let back = Signal::Polynomial(vec![0.0, -0.5]);
         let mirrored = spring.run(&back, at(0.5, 0.0), 3.0).unwrap().end;
         assert_eq!((mirrored.x, mirrored.v), (-after.x, -after.v));

@@ -1,8 +1,8 @@
 //! How long the way of a motion is, and when it has become so long or led so far.
 //!
-//! Along a piece of a motion the speed is analytic in the time of the piece, the way to a stop included, so that a
-//! Gauss–Legendre rule is exact. Where what moves passes through rest, as the centre of a ball may, it has a corner, at which the
-//! piece is parted: a rule that sees no point beyond a corner would take the speed for negative there.
+//! Along a piece the speed is analytic in the piece's time, so a Gauss–Legendre rule is exact. Where what moves passes through
+//! rest, as the centre of a ball may, the piece is parted: a rule that sees no point beyond the corner would take the speed for
+//! negative there.
 
 use super::error::{MotionError, check};
 use crate::numerics::{
@@ -14,7 +14,6 @@ use crate::numerics::{
 };
 use std::borrow::Cow;
 
-/// The series of the square of the distance from a place.
 fn squared(x: &[Cow<'_, [f64]>; 2], centre: [f64; 2]) -> Vec<f64> {
     let longest = x[0].len().max(x[1].len());
     let mut sum = vec![0.0; (2 * longest).max(1)];
@@ -29,7 +28,6 @@ fn squared(x: &[Cow<'_, [f64]>; 2], centre: [f64; 2]) -> Vec<f64> {
     sum
 }
 
-/// A piece of a motion.
 #[derive(Debug, Clone)]
 pub(super) struct Part<'m> {
     from: f64,
@@ -39,16 +37,15 @@ pub(super) struct Part<'m> {
     clock: Option<&'m [f64]>,
     v: [Cow<'m, [f64]>; 2],
     x: [Cow<'m, [f64]>; 2],
-    /// Where in its own time the speed may have a corner.
     corners: Vec<f64>,
-    /// The axis along which it goes one way alone: the change of the place is the way, without an integral.
+    /// Where the change of the place is the way, without an integral.
     along: Option<usize>,
     /// The way up to it.
     before: f64,
 }
 
 impl<'m> Part<'m> {
-    /// By the time t − `from`, from the series of the velocity and of the place.
+    /// With t − `from` as its time, from the series of velocity and place.
     pub(super) fn timed(
         from: f64,
         h: f64,
@@ -74,7 +71,7 @@ impl<'m> Part<'m> {
         self
     }
 
-    /// With corners where it passes through rest, or close by.
+    /// Where it passes through rest, or close by.
     pub(super) fn cornered(mut self) -> Result<Self, NumericsError> {
         let square = squared(&self.v, [0.0; 2]);
         let slope = square.iter().enumerate().skip(1).map(|(k, c)| c * k as f64);
@@ -97,7 +94,6 @@ impl<'m> Part<'m> {
         }
     }
 
-    /// How fast the way grows in the piece's own time.
     fn rate(&self, s: f64) -> f64 {
         let speed = libm::hypot(value(&self.v[0], &s), value(&self.v[1], &s));
         speed * self.clock.map_or(1.0, |clock| value_slope(clock, s).1)
@@ -119,7 +115,6 @@ impl<'m> Part<'m> {
         Ok(sum)
     }
 
-    /// Its own time at the time `t`.
     fn own(&self, t: f64) -> f64 {
         match self.clock {
             Some(clock) => arrival(clock, t - self.from, self.h),
@@ -127,7 +122,6 @@ impl<'m> Part<'m> {
         }
     }
 
-    /// The time at `s` of its own.
     fn time(&self, s: f64) -> f64 {
         self.from + self.clock.map_or(s, |clock| change(clock, &s))
     }
@@ -203,7 +197,6 @@ impl<'m> Track<'m> {
         let s = falling_root(0.0, piece.h, guess, |s| {
             (rest - piece.way(s).unwrap_or(f64::NAN), -piece.rate(s))
         });
-        // What failed in there fails here.
         piece.way(s)?;
         Ok(Some(piece.time(s).min(self.times[1])))
     }
@@ -295,7 +288,6 @@ mod tests {
         near(track.first_beyond([0.0; 2], 1.81).unwrap().unwrap(), time);
     }
 
-    /// What friction takes of a body's energy is μg for each unit of its way, whatever curve that is: to a stop, and on.
     #[test]
     fn the_way_is_what_friction_took() {
         for k in 0..40 {
@@ -328,7 +320,7 @@ mod tests {
         }
     }
 
-    /// Shaken around, a block slides with the speed √(A² − (μg)²)/ω; and one that sticks and slips goes as far as many short chords.
+    /// It slides with the speed √(A² − (μg)²)/ω; one that sticks and slips goes as far as many short chords.
     #[test]
     fn on_a_plane_that_is_shaken() {
         let plane = Plane::rotating(Signal::constant(2.0), 1.5, 0.0);
@@ -408,8 +400,7 @@ mod tests {
         );
     }
 
-    /// ½(v² − Ω²r²) falls by μg for each unit of the way on the table, in both frames; without friction a straight line in the
-    /// laboratory is one of a length known: from the axis, v√(1 + Ω²t²) dt.
+    /// ½(v² − Ω²r²) falls by μg for each unit of the way; without friction, from the axis, that is ∫ v√(1 + Ω²t²) dt.
     #[test]
     fn on_a_turntable() {
         let table = Table {
@@ -448,7 +439,6 @@ mod tests {
             omega: 1.0,
             ..table
         };
-        // On the axis it moves as in the laboratory.
         let path = rotating::run(&free, &State::moving([0.5, 0.0]), 3.0).unwrap();
         let way = 0.25 * (3.0 * 10.0_f64.sqrt() + libm::asinh(3.0));
         near(path.track().unwrap().total(), way);

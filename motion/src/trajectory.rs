@@ -68,29 +68,28 @@ pub struct Phase {
     pub to: f64,
 }
 
-/// A piece of a motion with one analytic description.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Piece {
     /// Sliding; components v_x, v_y, t, x, y as functions of s, dt = |v| ds.
     Slide(Box<Step<f64, 5, TERMS>>),
     /// Sliding close to rest; v and x as functions of t.
     Arc(Box<Arc>),
-    /// At rest.
-    Rest { from: f64, x: [f64; 2] },
+    Rest {
+        from: f64,
+        x: [f64; 2],
+    },
 }
 
-/// A stretch close to rest, as series in the time since it began.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Arc {
     pub(super) from: f64,
     pub(super) to: f64,
-    /// Series of the velocity and of the position.
+    /// Of the velocity and of the position.
     pub(super) v: [Coefficients; 2],
     pub(super) x: [Coefficients; 2],
 }
 
 impl Arc {
-    /// State at time `t`.
     fn state(&self, t: f64) -> State {
         let tau = t - self.from;
         let both = |c: &[Coefficients; 2]| [value(&c[0], &tau), value(&c[1], &tau)];
@@ -111,7 +110,6 @@ impl Piece {
         }
     }
 
-    /// State at the beginning.
     fn begin(&self) -> State {
         match self {
             Self::Slide(step) => step.state(0.0, step.t_start()),
@@ -124,7 +122,6 @@ impl Piece {
         }
     }
 
-    /// State at time `t` of the piece.
     pub(super) fn at(&self, t: f64) -> Result<State, MotionError> {
         Ok(match self {
             Self::Slide(step) => step.state(step.s_at(t - step.t_start()), t),
@@ -148,7 +145,6 @@ impl Piece {
         }
     }
 
-    /// The first state after the beginning whose velocity points along `n`.
     fn along(&self, n: [f64; 2]) -> Result<Option<State>, MotionError> {
         let across = |v: [&Coefficients; 2]| -> Coefficients {
             std::array::from_fn(|k| v[0][k] * n[1] - v[1][k] * n[0])
@@ -178,15 +174,11 @@ impl Piece {
     }
 }
 
-/// A step of sliding, in which the time is one of the components.
 pub(super) trait SlideStep {
-    /// Time at the beginning.
     fn t_start(&self) -> f64;
-    /// The s in the step by which the time `elapsed` has gone by.
+    /// The s by which the time `elapsed` has gone by.
     fn s_at(&self, elapsed: f64) -> f64;
-    /// The time that goes by in the step.
     fn elapsed(&self) -> f64;
-    /// State at `s`, when the time is `t`.
     fn state(&self, s: f64, t: f64) -> State;
 }
 
@@ -226,7 +218,6 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// A motion that has not moved yet.
     pub(super) fn begin(start: State, drive_error: f64) -> Self {
         let (pieces, phases) = (Vec::new(), Vec::new());
         Self {
@@ -240,7 +231,7 @@ impl Motion {
         }
     }
 
-    /// The phases in order, without gaps; one of length zero is left out.
+    /// In order, without gaps; one of length zero is left out.
     pub fn phases(&self) -> &[Phase] {
         &self.phases
     }
@@ -255,7 +246,7 @@ impl Motion {
         &self.starts
     }
 
-    /// The first stop, or nothing if there was none until the end of the motion.
+    /// Nothing if there was none until the end of the motion.
     pub fn first_stop(&self) -> Option<f64> {
         self.stops.first().copied()
     }
@@ -270,9 +261,8 @@ impl Motion {
         self.end
     }
 
-    /// The [`error`](super::Acceleration::error) e of a component of the acceleration that was given, in length/time². Friction
-    /// lets no two motions from one start part faster than their pulls: at t this one is off by at most √2 e (t − t₀) in
-    /// velocity, and half of that times t − t₀ in place, beyond the errors of [`run`](super::run).
+    /// The [`error`](super::Acceleration::error) e of a component of the acceleration, in length/time². At t the motion is off by
+    /// at most √2 e (t − t₀) in velocity, and half of that times t − t₀ in place, beyond the errors of [`run`](super::run).
     pub fn drive_error(&self) -> f64 {
         self.drive_error
     }
@@ -329,7 +319,7 @@ impl Motion {
     /// there is none until the end. Where it sets out from rest in that direction, the state of rest. A velocity
     /// component below 10⁻⁹⁰ of the other counts as zero.
     ///
-    /// Cost: looks at each step of the motion once, until it is found.
+    /// Cost: a look at each step.
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a direction that is zero or not finite.
@@ -392,7 +382,6 @@ mod tests {
 
     #[test]
     fn the_first_moments_of_a_slide_know_where_they_point() {
-        // A turning pull that begins at t = 1 and lasts for a while.
         let pulled = |to| {
             let strength =
                 Signal::Product(vec![Signal::Pulse { from: 1.0, to }, Signal::constant(1.5)]);
@@ -412,7 +401,6 @@ mod tests {
             let v = long.at(t).unwrap().v;
             let found = long.first_along(v).unwrap().unwrap();
             assert!((found.t - t).abs() < 1e-12, "{found:?} {t}");
-            // A pull that ends before turns no farther.
             let short = pulled(1.0 + (part - 0.05) * length);
             assert_eq!(short.first_along(v).unwrap(), None, "{part}");
         }

@@ -9,7 +9,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What the crate is built from, from the top of the repository.
 const PARTS: [&str; 7] = [
     "src",
     "motion/src",
@@ -20,9 +19,7 @@ const PARTS: [&str; 7] = [
     "benches/exam",
 ];
 
-/// A mistake that cannot be made.
 pub struct Lost {
-    /// Its name.
     pub mistake: String,
     file: String,
     right: String,
@@ -44,7 +41,7 @@ impl fmt::Display for Lost {
     }
 }
 
-/// Writes the copy; the mistakes that cannot be made.
+/// Returns the mistakes that cannot be made.
 pub fn write(mistakes: &[Mistake], copy: &Path) -> Result<Vec<Lost>, Box<dyn Error>> {
     let mut places = BTreeMap::<&str, Vec<Place>>::new();
     let mut lost = Vec::new();
@@ -104,14 +101,14 @@ pub fn write(mistakes: &[Mistake], copy: &Path) -> Result<Vec<Lost>, Box<dyn Err
         let manifest = manifest(&fs::read_to_string(&path)?);
         put(&copy.join(path), manifest.as_bytes())?;
     }
-    // As it is, so that the same versions are built; cargo notes the other name in it.
+    // So that the same versions are built; cargo notes the other name in it.
     if !copy.join("Cargo.lock").exists() {
         fs::copy("Cargo.lock", copy.join("Cargo.lock"))?;
     }
     Ok(lost)
 }
 
-/// A manifest of the copy: another name, so that its artefacts can lie beside those of the crate, and no tests.
+/// Another name, so that its artefacts can lie beside those of the crate, and no tests.
 fn manifest(text: &str) -> String {
     let mut out = String::new();
     let mut kept = false;
@@ -137,7 +134,7 @@ fn manifest(text: &str) -> String {
     }
 }
 
-/// Writes a file if it is not there yet as it should be, so that cargo builds no more than it must.
+/// If it is another, so that cargo builds no more than it must.
 fn put(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     if fs::read(path).is_ok_and(|there| there == bytes) {
         return Ok(());
@@ -146,7 +143,7 @@ fn put(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     fs::write(path, bytes)
 }
 
-/// Builds the copy; the program that tries the ledger.
+/// Returns the program that tries the ledger.
 pub fn build(copy: &Path) -> Result<PathBuf, Box<dyn Error>> {
     let target = std::path::absolute("target")?;
     let built = Command::new("cargo")

@@ -16,28 +16,20 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-/// A mistake.
 pub struct Mistake {
-    /// What it is called.
     pub name: String,
-    /// What is wrong with the physics.
     pub physics: String,
-    /// What is changed for it.
     pub changes: Vec<Change>,
 }
 
-/// A change of the source.
 #[derive(Default)]
 pub struct Change {
-    /// The file, from the top of the repository.
     pub file: String,
-    /// The text with the marked part.
+    /// With the marked part.
     pub right: String,
-    /// What is put there.
     pub wrong: String,
 }
 
-/// All mistakes of the files in a folder, in the order of the files' names.
 pub fn read(folder: &Path) -> Result<Vec<Mistake>, Box<dyn Error>> {
     let files: Result<Vec<_>, _> = fs::read_dir(folder)?.map(|f| f.map(|f| f.path())).collect();
     let mut files = files?;

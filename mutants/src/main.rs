@@ -1,12 +1,9 @@
 //! Every mistake in the physics of `mutants/physics`, one at a time: each has to change a verdict of the ledger.
 //!
-//! A copy of the crate is written in which each mistake stands behind a switch, and is built once. With no switch on it
-//! has to come to the recorded verdicts; then the ledger is tried once for each mistake, in a process of its own.
-//!
-//! The copy is kept in `target/physics`; what it depends on is shared with the crate's own build. The table
-//! goes to `snapshots/physics.csv`, and which measurement reacts to how many of them to `snapshots/reactions.csv`. Of what was
-//! recorded there no measurement may have ceased to react, and one that reacts to nothing needs a line in
-//! `mutants/reads_no_motion.txt`. Names of mistakes may follow: then only these are tried and nothing is recorded.
+//! A copy of the crate, in which each mistake stands behind a switch, is built once in `target/physics`; the ledger is tried for
+//! each mistake in a process of its own. The results go to `snapshots/physics.csv` and `snapshots/reactions.csv`. No measurement
+//! may have ceased to react, and one that reacts to nothing needs a line in `mutants/reads_no_motion.txt`. Names of mistakes may
+//! follow: then only these are tried and nothing is recorded.
 
 mod build;
 mod list;
@@ -19,15 +16,11 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::{env, fs};
 
-/// The list.
 const LIST: &str = "mutants/physics";
-/// The result.
 const TABLE: &str = "snapshots/physics.csv";
-/// Which measurements react to how many of them.
 const REACTIONS: &str = "snapshots/reactions.csv";
-/// What the measurements read that react to none.
+/// Of the measurements that react to none.
 const EXCUSES: &str = "mutants/reads_no_motion.txt";
-/// The verdicts without a mistake.
 const RECORD: &str = "snapshots/verdicts.snap";
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
@@ -86,7 +79,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     })
 }
 
-/// Writes a record anew where more of it than its head is different.
+/// Where more of it than its head is different.
 fn record(path: &str, text: &str) -> std::io::Result<()> {
     let there = fs::read_to_string(path).unwrap_or_default();
     match there.lines().skip(1).eq(text.lines().skip(1)) {
@@ -95,7 +88,6 @@ fn record(path: &str, text: &str) -> std::io::Result<()> {
     }
 }
 
-/// Which commit was tried, as the head of a record has it.
 fn as_of() -> Result<String, Box<dyn Error>> {
     let form = "--format=# As of commit %h, %as";
     let said = Command::new("git").args(["log", "-1", form]).output()?;

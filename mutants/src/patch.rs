@@ -2,17 +2,13 @@
 
 use std::ops::Range;
 
-/// Around the part of a text that is replaced.
 const MARKS: [char; 2] = ['⟦', '⟧'];
 
-/// A part of a source, and what stands there if a mistake is made.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Place {
-    /// The number of the mistake.
     pub id: usize,
-    /// The part, in bytes.
+    /// In bytes.
     pub range: Range<usize>,
-    /// What replaces it.
     pub wrong: String,
 }
 

@@ -11,53 +11,46 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long a ledger may take; without a mistake it is a second or two on one core.
+/// Without a mistake it takes a second or two on one core.
 const LIMIT: Duration = Duration::from_secs(300);
 
-/// A claim's verdict, and its measurements with what they say.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judged {
     verdict: String,
     trials: Vec<Said>,
 }
 
-/// What a measurement says.
 #[derive(Debug, Clone, PartialEq, Default)]
 struct Said {
     route: String,
     subject: String,
-    /// Which of the claim's measurements with this route and subject it is, from 1 in the order of the row.
+    /// Of the measurements with its route and subject, from 1 in the order of the row.
     nth: usize,
     outcome: String,
     points: usize,
-    /// Whether our own side gave a number everywhere.
+    /// Our own side gave a number everywhere.
     whole: bool,
-    /// All that was found, in one number.
     found: String,
-    /// Comparisons that disagree.
     failed: usize,
 }
 
 impl Said {
-    /// Whether it comes to something else, or finds something else where it looked.
+    /// It comes to something else, or finds something else where it looked.
     fn reacts(&self, wrong: &Said) -> bool {
         let looked = wrong.whole && wrong.points == self.points;
         wrong.outcome != self.outcome || looked && wrong.found != self.found
     }
 }
 
-/// What a run of the ledger came to, by claim, in the paper's order.
 pub type Verdicts = Vec<(String, Judged)>;
 
-/// What a mistake changes.
 pub enum Found {
-    /// Claims whose verdict is another, and measurements of these claims that say something else.
     Changed {
         /// Ids, in the paper's order.
         claims: Vec<String>,
         /// `claim/route/subject/nth`, in the same order.
         trials: Vec<String>,
-        /// Of every measurement of the ledger, whether it reacts, and how many of its comparisons disagree.
+        /// Of every measurement of the ledger; with the number of its comparisons that disagree.
         reactions: Vec<(bool, usize)>,
     },
     /// There are no verdicts, and why.
@@ -65,13 +58,12 @@ pub enum Found {
 }
 
 impl Found {
-    /// Whether a verdict is another.
     pub fn is_noticed(&self) -> bool {
         matches!(self, Found::Changed { claims, .. } if !claims.is_empty())
     }
 }
 
-/// What the claims of these ids come to, or all, with the mistake of this number, 0 for none.
+/// Of these ids, or of all, with the mistake of this number, 0 for none.
 fn verdicts(
     program: &Path,
     number: usize,
@@ -82,7 +74,6 @@ fn verdicts(
     Ok(text.lines().filter_map(judged).collect())
 }
 
-/// What the program prints.
 fn said(program: &Path, number: &str, ids: &[&str], threads: usize) -> Result<String, String> {
     let mut child = Command::new(program)
         .arg(number)
@@ -141,12 +132,10 @@ fn judged(line: &str) -> Option<(String, Judged)> {
     Some((id, Judged { verdict, trials }))
 }
 
-/// What the ledger comes to without a mistake.
 pub fn without(program: &Path) -> Result<Verdicts, Box<dyn Error>> {
     Ok(verdicts(program, 0, &[], workers())?)
 }
 
-/// Asks that the verdicts are the recorded ones.
 pub fn as_recorded(right: &Verdicts, record: &str) -> Result<(), Box<dyn Error>> {
     let lines = record.lines().filter_map(|l| l.split_once(": "));
     let recorded: BTreeMap<_, _> = lines.filter(|(id, _)| *id != "source").collect();
@@ -163,12 +152,10 @@ pub fn as_recorded(right: &Verdicts, record: &str) -> Result<(), Box<dyn Error>>
     Ok(())
 }
 
-/// How many programs run at once.
 fn workers() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// `f` of each, several at a time, in their order; with how many are done.
 fn each<T: Sync, R: Send>(
     all: &[T],
     f: impl Fn(&T) -> R + Sync,
@@ -198,8 +185,7 @@ fn each<T: Sync, R: Send>(
         .collect()
 }
 
-/// Which mistakes can change a claim, by claim: those whose place is passed as it is tried by itself. Up to there all is
-/// as without them.
+/// Those whose place is passed as the claim is tried by itself. Up to there all is as without them.
 pub fn within_reach<'a>(program: &Path, right: &'a Verdicts) -> Result<Reach<'a>, String> {
     let ids: Vec<&str> = right.iter().map(|(id, _)| id.as_str()).collect();
     let passed = |id: &&str| {
@@ -211,10 +197,8 @@ pub fn within_reach<'a>(program: &Path, right: &'a Verdicts) -> Result<Reach<'a>
     Ok(ids.into_iter().zip(all?).collect())
 }
 
-/// Ids of claims, with the numbers of mistakes.
 pub type Reach<'a> = Vec<(&'a str, BTreeSet<usize>)>;
 
-/// What each of these mistakes changes, in their order.
 pub fn all<'a>(
     program: &Path,
     mistakes: &[(usize, &'a Mistake)],
@@ -249,7 +233,6 @@ pub fn all<'a>(
         .collect()
 }
 
-/// All claims, those that were tried as they came out.
 fn with(right: &Verdicts, tried: Verdicts) -> Verdicts {
     let mut tried: BTreeMap<_, _> = tried.into_iter().collect();
     let all = right.iter().map(|(id, judged)| {
@@ -287,19 +270,15 @@ fn changed(right: &Verdicts, wrong: &Verdicts) -> Found {
     }
 }
 
-/// How a measurement reacts to the mistakes.
 pub struct Reaction {
-    /// Its claim's id, its route and its subject.
+    /// Claim's id, route and subject.
     pub key: [String; 3],
-    /// Which of the claim's measurements with this route and subject it is.
     pub nth: usize,
-    /// To how many mistakes it reacts.
     pub mistakes: usize,
-    /// How many of its comparisons disagree then in all: fewer, if it were made more lenient.
+    /// In all; fewer, if it were made more lenient.
     pub disagree: usize,
 }
 
-/// How each measurement of the ledger reacts, in its order.
 pub fn reactions(right: &Verdicts, found: &[(&Mistake, Found)]) -> Vec<Reaction> {
     let trials = right
         .iter()

@@ -4,11 +4,9 @@ use crate::list::Mistake;
 use crate::run::{Found, Reaction};
 use std::collections::BTreeMap;
 
-/// How many claims and trials are named.
 const NAMED: usize = 3;
 
-/// A line for each mistake: its name, what is wrong, how many verdicts change, the first of their claims and of the
-/// measurements that notice.
+/// Name, what is wrong, how many verdicts change, the first claims and measurements that notice.
 pub fn csv(as_of: &str, found: &[(&Mistake, Found)]) -> String {
     let mut out = format!("{as_of}: mistake,physics,verdicts,claims,trials\n");
     for (mistake, found) in found {
@@ -26,7 +24,6 @@ fn first(names: &[String], between: &str) -> String {
     names[..names.len().min(NAMED)].join(between)
 }
 
-/// A cell of which commas are a part.
 fn quoted(text: &str) -> String {
     match text.contains([',', '"']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")),
@@ -34,7 +31,7 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// A line for each measurement: which it is, to how many mistakes it reacts, and how many of its comparisons disagree then.
+/// Which it is, to how many mistakes it reacts, how many comparisons disagree then.
 pub fn reactions(as_of: &str, all: &[Reaction]) -> String {
     let mut out = format!("{as_of}: claim,route,subject,nth,mistakes,disagree\n");
     for of in all {
@@ -44,7 +41,7 @@ pub fn reactions(as_of: &str, all: &[Reaction]) -> String {
     out
 }
 
-/// By claim, route and subject, how many measurements react to a mistake, and how many to none.
+/// By claim, route and subject: how many measurements react, and how many do not.
 type Counts = BTreeMap<[String; 3], [usize; 2]>;
 
 fn counts<'a>(all: impl Iterator<Item = (&'a [String; 3], usize)>) -> Counts {
@@ -55,8 +52,7 @@ fn counts<'a>(all: impl Iterator<Item = (&'a [String; 3], usize)>) -> Counts {
     counts
 }
 
-/// What is wrong with the reactions: measurements that reacted when it was recorded and no longer do, those that react to
-/// nothing and have no excuse, and excuses that are needed no more; a line for each.
+/// No longer reacting, reacting to nothing without an excuse, or excused for nothing.
 pub fn complaints(all: &[Reaction], record: &str, excuses: &str) -> Vec<String> {
     let now = counts(all.iter().map(|of| (&of.key, of.mistakes)));
     let recorded: Vec<([String; 3], usize)> = record.lines().skip(1).filter_map(recorded).collect();
@@ -98,7 +94,6 @@ pub fn complaints(all: &[Reaction], record: &str, excuses: &str) -> Vec<String> 
     complaints
 }
 
-/// A line of the recorded reactions, if it is one.
 fn recorded(line: &str) -> Option<([String; 3], usize)> {
     let cells: Vec<&str> = line.split(',').collect();
     let [claim, route, subject, _, mistakes, _] = cells[..] else {

@@ -4,7 +4,7 @@ use crate::wrong;
 use include_dir::{Dir, include_dir};
 use pyo3::prelude::*;
 
-/// A sheet for each claim, in the folder of its topic, and the verdicts in the paper's order.
+/// By topic, with the verdicts in the paper's order.
 static SNAPSHOTS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../snapshots");
 
 type Text = &'static str;
@@ -23,7 +23,7 @@ pub struct Claim {
     correction: Option<Text>,
 }
 
-/// A snapshot without its head.
+/// Without its head.
 fn snapshot(name: &str) -> Option<Text> {
     let text = SNAPSHOTS.get_file(name)?.contents_utf8()?;
     text.splitn(3, "---\n").nth(2)

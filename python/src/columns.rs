@@ -16,7 +16,6 @@ pub fn numbers(given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     }
 }
 
-/// Numbers as an array of Python's own.
 pub fn array(py: Python<'_>, numbers: impl Iterator<Item = f64>) -> PyResult<Bound<'_, PyAny>> {
     let numbers: Vec<_> = numbers.collect();
     let array = py.import("array")?.call_method1("array", ("d", [0.0]))?;
@@ -28,7 +27,7 @@ pub fn array(py: Python<'_>, numbers: impl Iterator<Item = f64>) -> PyResult<Bou
     Ok(array)
 }
 
-/// What an accelerometer has written: a file's text, with the columns that count, or numbers.
+/// A file's text, with the columns that count, or numbers.
 pub enum Record<'a> {
     Text(String, Columns<'a>),
     Rows(Recording),

@@ -42,12 +42,12 @@ fn slipbook_module(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(turntable::turntable_ends, module)?)
 }
 
-/// An error of the library, in its words.
+/// In the library's words.
 fn wrong(error: impl Display) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
-/// A text, or a number in SI as one.
+/// A number is in SI.
 fn one(value: &Bound<'_, PyAny>) -> PyResult<String> {
     match value.extract() {
         Ok(text) => Ok(text),
@@ -55,7 +55,7 @@ fn one(value: &Bound<'_, PyAny>) -> PyResult<String> {
     }
 }
 
-/// A value as the text that a word has: with its parts behind one another.
+/// Its parts behind one another.
 fn text(value: &Bound<'_, PyAny>) -> PyResult<String> {
     one(value).or_else(|error| match value.extract::<Vec<_>>() {
         Ok(parts) => Ok(parts
@@ -67,17 +67,15 @@ fn text(value: &Bound<'_, PyAny>) -> PyResult<String> {
     })
 }
 
-/// A value with its unit.
 fn parsed<T: FromStr<Err: Display>>(value: &Bound<'_, PyAny>) -> PyResult<T> {
     text(value)?.parse().map_err(wrong)
 }
 
-/// The name of a number in letters that are on every keyboard.
+/// In letters that are on every keyboard.
 fn name(number: &str) -> String {
     number.replace('ω', "omega")
 }
 
-/// Something of each of these numbers, by their names.
 fn by_name<'py, T: IntoPyObject<'py>>(
     py: Python<'py>,
     numbers: &[Number],

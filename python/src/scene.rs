@@ -20,7 +20,6 @@ pub struct Scene {
     read: (scene::Scene, Until),
 }
 
-/// Words with their texts, and what a recording does.
 #[derive(Clone)]
 struct Words {
     body: String,
@@ -113,10 +112,8 @@ pub fn find(
     Ok(found.map_err(wrong)?.solutions)
 }
 
-/// What is said of a recording.
 const OF_RECORD: [&str; 3] = ["record", "columns", "towards"];
 
-/// What the recording among these words does, if there is one.
 fn shaken(given: &Bound<'_, PyDict>) -> PyResult<Option<Part>> {
     let [recording, columns, towards] = OF_RECORD.map(|name| given.get_item(name));
     let Some(recording) = recording? else {
@@ -132,7 +129,7 @@ fn shaken(given: &Bound<'_, PyDict>) -> PyResult<Option<Part>> {
 }
 
 impl Scene {
-    /// With these words beside those that are there: None, or False, takes one away.
+    /// None, or False, takes a word away.
     fn new(
         body: &str,
         given: Bound<'_, PyDict>,

@@ -16,7 +16,7 @@ use slipbook::motion::{
     },
 };
 
-/// How many particles are followed before Ctrl-C is looked for: some tenths of a second.
+/// Between looks for Ctrl-C: some tenths of a second.
 const PIECE: usize = 1 << 18;
 
 /// What becomes of particles on a rough table that turns, from their distances rho from its axis, their speeds p on it and their
@@ -43,7 +43,7 @@ pub fn turntable_ends(
         rho: far,
         tau: late,
     };
-    // Where nobody is to be followed, it is refused too.
+    // It is refused without particles too.
     horizon.follow(&[]).map_err(wrong)?;
     let pieces = rho
         .chunks(PIECE)
@@ -75,7 +75,6 @@ pub fn turntable_ends(
     Ok(columns)
 }
 
-/// An outcome, and the numbers of its end.
 fn row(end: Option<End>) -> (&'static str, [f64; 4]) {
     let none = f64::NAN;
     match end {

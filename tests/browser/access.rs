@@ -5,12 +5,9 @@ use crate::chrome::{Page, Seen};
 use crate::pages::none;
 use crate::visit::visits;
 
-/// All that the checker knows of the law, and what it holds good practice, landmarks among it.
 const ALL: &str = "['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice']";
-/// What another look of the same page may break.
 const LOOK: &str = "{ type: 'rule', values: ['color-contrast', 'link-in-text-block'] }";
 
-/// Pages that have all colours between them, with the themes besides the one by day.
 const LOOKS: [(&str, &[&str]); 4] = [
     ("constant.html", &["navy", "coal", "ayu", "rust"]),
     ("index.html", &["navy"]),
@@ -18,11 +15,10 @@ const LOOKS: [(&str, &[&str]); 4] = [
     ("methods.html", &["navy"]),
 ];
 
-/// The rules that the open page breaks: each with what it asks and the first places.
 fn broken(page: &mut Page, rules: &str) -> Seen<Vec<String>> {
     page.value(concat!(include_str!("axe/axe.min.js"), ";0"))?;
-    // Style sheets on the disk may not be read once more. Checking takes its time for each formula; twenty stand for those of the page, which are all made alike. What is
-    // folded away is not looked at, only walked through; the answers to the exercises are unfolded.
+    // Style sheets on the disk may not be read once more. Twenty formulas stand for all of the page. What is folded is not looked
+    // at; the answers to the exercises are unfolded.
     page.texts(&format!(
         "document.querySelectorAll('.exercise details').forEach(answer => {{ answer.open = true; }});
          document.querySelectorAll('details:not([open]) > :not(summary)').forEach(hidden => hidden.remove());
@@ -33,12 +29,10 @@ fn broken(page: &mut Page, rules: &str) -> Seen<Vec<String>> {
     ))
 }
 
-/// The rules of all kinds that the open page breaks.
 pub fn all_broken(page: &mut Page) -> Seen<Vec<String>> {
     broken(page, ALL)
 }
 
-/// No page breaks a rule on contrast, names, landmarks and the rest.
 pub fn pages(page: &mut Page, book: &Book) -> Seen {
     let visits = visits(page, book)?.iter();
     let found = visits.flat_map(|(name, visit)| {
@@ -50,12 +44,11 @@ pub fn pages(page: &mut Page, book: &Book) -> Seen {
     none(found.collect())
 }
 
-/// Words can be read and links be told from them in every theme.
 pub fn themes(page: &mut Page, book: &Book) -> Seen {
     let mut found = Vec::new();
     for (name, themes) in LOOKS {
         page.open(&book.address(name))?;
-        // What is out of view is laid out too: the places of what is skipped are guesses, which axe takes for what lies behind.
+        // What is out of view is laid out too, or axe takes guessed places for what lies behind.
         page.value(
             "document.head.insertAdjacentHTML('beforeend', '<style>main > * { content-visibility: visible !important; }</style>')",
         )?;

@@ -11,18 +11,14 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use std::{env, thread};
 
-/// What goes wrong, in words.
 pub type Failure = String;
-/// What was looked for, or what is wrong.
 pub type Seen<T = ()> = Result<T, Failure>;
 
-/// How long an answer or a condition may take before it counts as never coming.
+/// Beyond this it counts as never coming.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The names under which a Chromium may be installed.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
-/// The browser on this machine, if there is one that this test can talk to.
 pub fn find() -> Option<PathBuf> {
     // The two pipes take a Unix shell.
     let folders = cfg!(unix).then(|| env::var_os("PATH")).flatten()?;
@@ -31,7 +27,6 @@ pub fn find() -> Option<PathBuf> {
     candidates.into_iter().find(|path| path.is_file())
 }
 
-/// A running browser, for several threads with a tab each.
 pub struct Browser {
     child: Child,
     requests: Mutex<ChildStdin>,
@@ -39,7 +34,6 @@ pub struct Browser {
     last: AtomicU64,
 }
 
-/// What the browser has said.
 #[derive(Default)]
 struct Inbox {
     messages: Mutex<Messages>,
@@ -48,15 +42,13 @@ struct Inbox {
 
 #[derive(Default)]
 struct Messages {
-    /// Answers that nobody has taken yet, by the number of the request.
     answers: HashMap<u64, Value>,
-    /// What nobody asked for, by session, in order.
+    /// What nobody asked for, by session.
     events: HashMap<String, Vec<Value>>,
 }
 
 impl Inbox {
     fn lock(&self) -> MutexGuard<'_, Messages> {
-        // A test that failed has harmed no message.
         self.messages.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -71,7 +63,6 @@ impl Inbox {
         self.news.notify_all();
     }
 
-    /// Waits for something among the messages.
     fn wait<T>(&self, mut find: impl FnMut(&mut Messages) -> Option<T>) -> Option<T> {
         let mut found = None;
         let waiting = |messages: &mut Messages| {
@@ -85,7 +76,7 @@ impl Inbox {
 }
 
 impl Browser {
-    /// Starts the browser, with its own data in an empty folder.
+    /// With its own data in an empty folder.
     pub fn start(path: &Path, data: &Path) -> Seen<Self> {
         // The browser reads from descriptor 3 and writes to 4; a standard command can only give 0 and 1.
         let mut child = Command::new("sh")
@@ -144,7 +135,7 @@ impl Browser {
         }
     }
 
-    /// A new page, empty, of the size of a screen, in a window of its own that shares no settings with others.
+    /// Empty, of the size of a screen, in a window that shares no settings with others.
     pub fn page(&self) -> Seen<Page<'_>> {
         let context = self.call(None, "Target.createBrowserContext", json!({}))?;
         let context = text(&context["browserContextId"]);
@@ -176,14 +167,12 @@ impl Drop for Browser {
     fn drop(&mut self) {
         let closed = self.call(None, "Browser.close", json!({}));
         if closed.is_err() {
-            // Whether it could be killed or is gone already is all the same now.
             let _ = self.child.kill();
         }
         let _ = self.child.wait();
     }
 }
 
-/// A tab of the browser.
 pub struct Page<'b> {
     pub browser: &'b Browser,
     session: String,
@@ -195,7 +184,7 @@ impl Page<'_> {
         self.browser.call(Some(&self.session), method, params)
     }
 
-    /// Whether nothing may move by itself.
+    /// Nothing may move by itself.
     pub fn still(&mut self, still: bool) -> Seen {
         let value = if still { "reduce" } else { "no-preference" };
         let feature = json!({ "name": "prefers-reduced-motion", "value": value });
@@ -212,14 +201,14 @@ impl Page<'_> {
             .map(drop)
     }
 
-    /// Opens an address and waits until the page, its fonts and its explorers are there.
+    /// Waits until the page, its fonts and its explorers are there.
     pub fn open(&mut self, address: &str) -> Seen {
         self.browser.inbox.lock().events.remove(&self.session);
         let answer = self.call("Page.navigate", json!({ "url": address }))?;
         if let Some(error) = answer.get("errorText") {
             return Err(format!("{address}: {error}"));
         }
-        // From one fragment to another of the same page nothing is loaded; the page is there once its address says so.
+        // From one fragment to another of the same page nothing is loaded.
         if answer.get("loaderId").is_none() {
             self.wait_for(&format!(
                 "location.href === new URL({}).href",
@@ -238,7 +227,6 @@ impl Page<'_> {
         self.wait_for("document.fonts.status === 'loaded'")
     }
 
-    /// Goes to the explorer of the page, if it has one, and back. The page for printing makes none.
     pub fn explored(&mut self) -> Seen {
         self.value("document.querySelector('[data-explorer]')?.nextElementSibling.scrollIntoView({ behavior: 'instant' })")?;
         self.begun()?;
@@ -246,7 +234,6 @@ impl Page<'_> {
             .map(drop)
     }
 
-    /// Waits until all explorers show something, wherever one reads.
     pub fn begun(&mut self) -> Seen {
         self.wait_for(
             "[...document.querySelectorAll('[data-explorer]')].every(host => host.dataset.shown
@@ -254,7 +241,7 @@ impl Page<'_> {
         )
     }
 
-    /// The value of an expression in the page; a promise is waited for.
+    /// A promise is waited for.
     pub fn value(&mut self, expression: &str) -> Seen<Value> {
         let given =
             json!({ "expression": expression, "awaitPromise": true, "returnByValue": true });
@@ -265,18 +252,15 @@ impl Page<'_> {
         }
     }
 
-    /// The strings in an array.
     pub fn texts(&mut self, expression: &str) -> Seen<Vec<String>> {
         let value = self.value(expression)?;
         let list = value.as_array().ok_or(format!("{expression} is no list"))?;
         Ok(list.iter().map(text).collect())
     }
 
-    /// Waits until a condition holds in the page.
     pub fn wait_for(&mut self, condition: &str) -> Seen {
         let start = Instant::now();
         while start.elapsed() < PATIENCE {
-            // Between two pages there is nothing to ask.
             if self
                 .value(condition)
                 .is_ok_and(|value| value == json!(true))
@@ -288,7 +272,6 @@ impl Page<'_> {
         Err(format!("never true: {condition}"))
     }
 
-    /// Presses a key, such as `ArrowUp`, on whatever has the focus.
     pub fn press(&mut self, key: &str) -> Seen {
         let code = match key {
             "Enter" => 13,
@@ -309,13 +292,11 @@ impl Page<'_> {
         Ok(())
     }
 
-    /// Types text into whatever has the focus.
     pub fn write(&mut self, given: &str) -> Seen {
         self.call("Input.insertText", json!({ "text": given }))
             .map(drop)
     }
 
-    /// Presses the mouse at the first place, moves it along the others, and lets go.
     pub fn drag(&mut self, places: &[[f64; 2]]) -> Seen {
         let (first, last) = match places {
             [first, .., last] | [first @ last] => (first, last),
@@ -334,7 +315,6 @@ impl Page<'_> {
         Ok(())
     }
 
-    /// Touches a place and lets go.
     pub fn tap(&mut self, [x, y]: [f64; 2]) -> Seen {
         self.call(
             "Emulation.setTouchEmulationEnabled",
@@ -352,8 +332,7 @@ impl Page<'_> {
         Ok(())
     }
 
-    /// What the page has complained of since it was opened: errors in its scripts and its console, and requests to
-    /// anywhere but the disk.
+    /// Since it was opened: errors in scripts and console, and requests to anywhere but the disk.
     pub fn complaints(&mut self) -> Vec<String> {
         let messages = self.browser.inbox.lock();
         let own = messages.events.get(&self.session).into_iter().flatten();

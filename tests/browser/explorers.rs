@@ -10,7 +10,6 @@ use slipbook::corrections::escape as corrections;
 use slipbook::explorers::answer;
 use slipbook::paper::escape::{eq128_alpha_rate, eq132_a, eq134_lag, eq136_rho};
 
-/// The pages with an explorer, in the order of the book.
 pub const PAGES: [&str; 9] = [
     "index",
     "constant",
@@ -23,17 +22,15 @@ pub const PAGES: [&str; 9] = [
     "rest",
 ];
 
-/// The name of the explorer on a page: the page's, but for the first one.
 pub fn name_on(page: &'static str) -> &'static str {
     if page == "index" { "record" } else { page }
 }
 
-/// The page of an explorer.
 pub fn page_of(name: &str) -> &str {
     if name == "record" { "index" } else { name }
 }
 
-/// States to show, as they stand in the address; between them all that the explorer can say.
+/// As they stand in the address; between them all that the explorer can say.
 const STATES: [(&str, &[&str]); 9] = [
     (
         "constant",
@@ -98,8 +95,7 @@ const STATES: [(&str, &[&str]); 9] = [
     ),
 ];
 
-/// What an explorer must show at a state, from the crate: the values with their names and units, in order; and what it says,
-/// or a part of it.
+/// Values with names and units, in order; and what it says, or a part of it.
 fn expected(name: &str, state: &[f64]) -> Seen<(Vec<String>, String)> {
     let mut given = [0.0; 4];
     given[..state.len()].copy_from_slice(state);
@@ -236,7 +232,6 @@ fn expected(name: &str, state: &[f64]) -> Seen<(Vec<String>, String)> {
                 ),
             )
         }
-        // It says in a sentence what becomes of the coin.
         ("record", [of, sigma, tau, _]) => (
             Vec::new(),
             format!("relative to the record {}.", fate(*of, *sigma, *tau)),
@@ -285,10 +280,8 @@ fn expected(name: &str, state: &[f64]) -> Seen<(Vec<String>, String)> {
     })
 }
 
-/// How far a film has been played.
 const TIME: &str = "Number(host.querySelector('.film input').value)";
 
-/// An explorer as a reader has it before them.
 struct Explorer<'p, 'b> {
     page: &'p mut Page<'b>,
     name: &'static str,
@@ -303,14 +296,13 @@ impl<'p, 'b> Explorer<'p, 'b> {
         };
         let file = format!("{}.html", page_of(name));
         page.open(&format!("{}{query}", book.address(&file)))?;
-        // It is made when it comes near, which it does not stay while the page still looks for the place of its address.
+        // It is made when it comes near.
         page.wait_for(&format!(
             "(host => (host.nextElementSibling.scrollIntoView({{ behavior: 'instant' }}), host.dataset.shown !== undefined))(document.getElementById('explore-{name}'))"
         ))?;
         Ok(Explorer { page, name })
     }
 
-    /// Follows an address on the same page.
     fn go(&mut self, state: &str) -> Seen {
         let hash = format!("#explore-{}?{state}", self.name);
         self.page.value(&format!("location.hash = '{hash}'"))?;
@@ -323,34 +315,29 @@ impl<'p, 'b> Explorer<'p, 'b> {
         format!("(host => {expression})(document.getElementById('explore-{name}'))")
     }
 
-    /// The value of such an expression.
     fn value(&mut self, expression: &str) -> Seen<Value> {
         self.page.value(&self.of_host(expression))
     }
 
-    /// The same as numbers, or what else it is.
     fn read<T: DeserializeOwned>(&mut self, expression: &str) -> Seen<T> {
         let value = self.value(expression)?;
         serde_json::from_value(value).map_err(|error| format!("{}: {error}", self.name))
     }
 
-    /// Waits until such a condition holds.
     fn wait_for(&mut self, condition: &str) -> Seen {
         self.page.wait_for(&self.of_host(condition))
     }
 
-    /// The inputs, once the picture has caught up with them.
+    /// `host` is the explorer in it.
     fn state(&mut self) -> Seen<Vec<f64>> {
         self.wait_for("host.dataset.shown !== undefined")?;
         self.read("[...host.querySelectorAll('.inputs input')].map(i => Number(i.value))")
     }
 
-    /// Waits until the bodies move.
     fn plays(&mut self) -> Seen {
         self.wait_for(&format!("{TIME} > 1"))
     }
 
-    /// Waits until an input is no longer what it was.
     fn moved(&mut self, before: &[f64]) -> Seen {
         let inputs = "[...host.querySelectorAll('.inputs input')]";
         self.wait_for(&format!(
@@ -358,7 +345,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
         ))
     }
 
-    /// Presses a key with this part in focus; it has to move one input.
+    /// It has to move one input.
     fn steps(&mut self, part: &str, key: &str) -> Seen {
         let before = self.right()?;
         self.page.press(key)?;
@@ -372,7 +359,6 @@ impl<'p, 'b> Explorer<'p, 'b> {
         }
     }
 
-    /// Requires that all that is shown is what the crate says, and returns the state.
     fn right(&mut self) -> Seen<Vec<f64>> {
         let (name, state) = (self.name, self.state()?);
         let shown: Vec<String> = self.read(
@@ -389,14 +375,12 @@ impl<'p, 'b> Explorer<'p, 'b> {
         }
     }
 
-    /// The curves of all plots, as drawn.
     fn drawn(&mut self) -> Seen<Value> {
         self.value(
             "[...host.querySelectorAll('.curve, .stage path')].map(e => e.getAttribute('d'))",
         )
     }
 
-    /// The numbers of the plots that have a hand.
     fn hands(&self) -> &'static [usize] {
         match self.name {
             "sphere" => &[1],
@@ -405,7 +389,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
         }
     }
 
-    /// Brings a plot into view; the place of its hand and the corners of its frame on the screen.
+    /// The place of its hand and the corners of its frame on the screen, once in view.
     fn places(&mut self, plot: usize) -> Seen<[[f64; 2]; 3]> {
         self.read(&format!(
             "(plot => {{ plot.scrollIntoView({{ block: 'center', behavior: 'instant' }});
@@ -415,7 +399,6 @@ impl<'p, 'b> Explorer<'p, 'b> {
         ))
     }
 
-    /// Brings a hand on the stage into view; its place on the screen.
     fn body(&mut self, k: u64) -> Seen<[f64; 2]> {
         self.read(&format!(
             "(hand => {{ hand.scrollIntoView({{ block: 'center', behavior: 'instant' }}); const box = hand.lastElementChild.getBoundingClientRect();
@@ -423,7 +406,6 @@ impl<'p, 'b> Explorer<'p, 'b> {
         ))
     }
 
-    /// Requires that the reader is still on the page and that it has not complained.
     fn unharmed(&mut self) -> Seen {
         let (name, complaints) = (self.name, self.page.complaints());
         let here: String = self.read("location.pathname")?;
@@ -434,7 +416,6 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 }
 
-/// Whatever a reader at a desk does with it, each explorer shows what the crate says.
 pub fn desk(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
@@ -456,7 +437,6 @@ pub fn desk(page: &mut Page, book: &Book) -> Seen {
     Ok(())
 }
 
-/// Led to a state by its address, it shows that state.
 fn states(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let states = STATES.iter().find(|(of, _)| *of == name);
@@ -476,7 +456,7 @@ fn states(explorer: &mut Explorer<'_, '_>) -> Seen {
     Ok(())
 }
 
-/// The arrow keys move every hand, and no key turns the page.
+/// No key turns the page.
 fn keyboard(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     for plot in 0..explorer.hands().len() {
@@ -501,11 +481,9 @@ fn keyboard(explorer: &mut Explorer<'_, '_>) -> Seen {
     Ok(())
 }
 
-/// The arrow keys move every slider, and no other.
 fn sliders(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let count = match name {
-        // It has hands alone.
         "record" => 0,
         _ => explorer.state()?.len(),
     };
@@ -514,7 +492,6 @@ fn sliders(explorer: &mut Explorer<'_, '_>) -> Seen {
         explorer.value(&format!(
             "host.querySelectorAll('.inputs input')[{i}].focus()"
         ))?;
-        // Away from the end, if it stands there.
         let keys = match explorer.read(&format!(
             "(slider => slider.value === slider.min)(host.querySelectorAll('.inputs input')[{i}])"
         ))? {
@@ -535,11 +512,10 @@ fn sliders(explorer: &mut Explorer<'_, '_>) -> Seen {
     if count == 0 {
         return Ok(());
     }
-    // The address follows, a little later; until then a link to the address that still stands leads nowhere.
+    // A little later; until then a link to the address that still stands leads nowhere.
     explorer.wait_for("host.dataset.shown === location.hash")
 }
 
-/// The mouse takes every hand along, on its way too.
 fn mouse(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     for &plot in explorer.hands() {
@@ -560,7 +536,7 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Seen {
                 "{name}: dragging the hand of plot {plot} does nothing at {before:?}"
             ));
         }
-        // The hand is where the mouse left it, but for the steps of the inputs and the axis to which it is bound.
+        // Up to the steps of the inputs and the axis to which the hand is bound.
         let [hand, ..] = explorer.places(plot)?;
         let off = [0, 1].map(|i| (hand[i] - share(0.6, 0.6)[i]).abs());
         let free = match (name, plot) {
@@ -576,7 +552,6 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Seen {
     Ok(())
 }
 
-/// On the stage, too, each hand of a body is moved by the arrow keys, one input at a time, and follows the mouse.
 fn bodies(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let count: u64 = explorer.read("host.querySelectorAll('.stage .hand').length")?;
@@ -603,7 +578,6 @@ fn bodies(explorer: &mut Explorer<'_, '_>) -> Seen {
     Ok(())
 }
 
-/// On a phone, a tap moves the hand.
 pub fn touch(page: &mut Page, book: &Book) -> Seen {
     page.resize(390, 800)?;
     for name in PAGES.map(name_on) {
@@ -627,13 +601,11 @@ pub fn touch(page: &mut Page, book: &Book) -> Seen {
     Ok(())
 }
 
-/// On every stage bodies move: they are played, stepped and drawn along, and end where the crate says; the coin of the first
-/// page is taken by hand and let go.
+/// Played, stepped and drawn along, they end where the crate says; the first page's coin is taken by hand and let go.
 pub fn stages(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         let picture = "host.querySelector('.scene').innerHTML";
-        // What goes out of view pauses.
         explorer.value(
             "host.querySelector('.stage').scrollIntoView({ block: 'center', behavior: 'instant' })",
         )?;
@@ -660,7 +632,6 @@ pub fn stages(page: &mut Page, book: &Book) -> Seen {
             return Err(format!("{name}: the time cannot be drawn along"));
         }
         if name == "turntable" {
-            // Later it is out of the picture.
             const PICTURE: usize = 20;
             explorer.value(&draw_along(&PICTURE.to_string()))?;
             let place: [f64; 2] = explorer.read(
@@ -689,7 +660,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Seen {
     }
     explorer.plays()?;
     untold(page, book)?;
-    // Before the guess all stand as they are asked about, and nothing is told, also for who has nothing against motion.
+    // Nothing is told before the guess, also to who has nothing against motion.
     page.still(false)?;
     let mut wrong = Vec::new();
     for name in PAGES.map(name_on) {
@@ -715,7 +686,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// The first page asks, and neither border is drawn before the film has been seen; then both are, and what is said is seen.
+/// Neither border is drawn before the film has been seen.
 fn untold(page: &mut Page, book: &Book) -> Seen {
     let mut explorer = Explorer::open(page, book, "record", "")?;
     let told = "[...host.querySelectorAll('.scene :is(.border, .printed)')].map(e => e.getAttribute('class')).join()
@@ -739,7 +710,6 @@ fn untold(page: &mut Page, book: &Book) -> Seen {
     Ok(())
 }
 
-/// Where the reader is asked to guess, whatever they say is answered, and what was asked about is shown.
 fn guess(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let count: u64 = explorer.read("host.querySelectorAll('.predict button').length")?;
@@ -774,7 +744,6 @@ fn guess(explorer: &mut Explorer<'_, '_>) -> Seen {
     Ok(())
 }
 
-/// Labels that a careless way to markup would break.
 const ODD: [&str; 7] = [
     "𝔴_𝔴: w_x, 𝔴",
     "_<b_>x</b> & _&amp;",
@@ -785,7 +754,6 @@ const ODD: [&str; 7] = [
     "",
 ];
 
-/// All that is written, at every state, is words and nothing of their markup; so are labels that nobody has thought of.
 pub fn labels(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for (name, states) in STATES {
@@ -823,11 +791,10 @@ pub fn labels(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// A text as it is seen, and what is seen of a label.
 const PLAIN: &str = "text => text.textContent.replaceAll('\u{200b}', '')";
 const SEEN: &str = "label => label.replace(/_(.)/gsu, '$1').replaceAll('𝔴', 'w')";
 
-/// The address follows the hand and leads back to the same view; the page's own fragments still lead to their places.
+/// They lead back to the same view; the page's own fragments still lead to their places.
 pub fn addresses(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
@@ -859,7 +826,7 @@ pub fn addresses(page: &mut Page, book: &Book) -> Seen {
         // The still figure is behind a fold, which its own address opens.
         page.value("location.hash = document.querySelector('.explorer-static figure').id")?;
         page.wait_for("document.querySelector('.explorer-static svg').checkVisibility()")?;
-        // A link that is followed before the last state is noted keeps its address; timers of the same length run in order.
+        // A link followed before the last state is noted keeps its address.
         let kept = page.value(&format!(
             "document.querySelector('#explore-{name} .inputs button').click(), location.hash = 'elsewhere',
              new Promise(later => setTimeout(() => later(location.hash), 200))"
@@ -867,7 +834,6 @@ pub fn addresses(page: &mut Page, book: &Book) -> Seen {
         if kept != "#elsewhere" {
             return Err(format!("{name}: {kept} has taken the place of an address"));
         }
-        // An ordinary fragment.
         let target = page.value("[...document.querySelectorAll('main h2[id]')].pop().id")?;
         let target = target.as_str().unwrap_or_default().to_owned();
         page.value(&format!(
@@ -876,19 +842,16 @@ pub fn addresses(page: &mut Page, book: &Book) -> Seen {
         page.wait_for(&format!(
             "location.hash === '#{target}' && (box => box.top > -5 && box.top < innerHeight)(document.getElementById('{target}').getBoundingClientRect())"
         ))?;
-        // Nonsense in the address is not believed.
         let mut explorer =
             Explorer::open(page, book, name, "lambda=1e99&rho=&theta=x&q=-7&nonsense=1")?;
         explorer.right()?;
         explorer.unharmed()?;
     }
-    // An address may name a plot, which is then in view.
     page.open(&book.address("escape.html#explore-escape?rho=1.1&plot=5"))?;
     page.wait_for("(box => box && box.top >= 0 && box.bottom <= innerHeight)(document.querySelectorAll('.explore-plot')[4]?.matches('.aimed') && document.querySelector('.aimed').getBoundingClientRect())")?;
     Ok(())
 }
 
-/// Break it yourself: what turns red in the page is what turns red in the crate.
 pub fn broken(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("breaking.html"))?;
     page.wait_for("document.querySelector('#broken button') !== null")?;
@@ -911,7 +874,7 @@ pub fn broken(page: &mut Page, book: &Book) -> Seen {
         if red == 0 || seen.len() != red {
             wrong.push(format!("{}: {seen:?} turn red, not {red}", way.wrong));
         }
-        // It is set as a formula; what is told to those who do not see it is its text, and what is seen are the letters of that.
+        // Those who do not see the formula are told its text, whose letters are seen.
         let told =
             page.value("document.querySelector('#broken .broken math').getAttribute('alttext')")?;
         let seen = page.value(
@@ -940,7 +903,6 @@ pub fn broken(page: &mut Page, book: &Book) -> Seen {
         page.value("document.querySelector('#broken input').focus()")?;
         page.press("ArrowRight")?;
     }
-    // An address that names a claim opens it; a click on a sign breaks the formula there.
     page.open(&book.address("breaking.html#broken?claim=eq-135"))?;
     let shown = "document.querySelector('#broken').dataset.shown";
     page.wait_for(&format!("{shown} === '0'"))?;

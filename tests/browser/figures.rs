@@ -4,10 +4,9 @@ use crate::Book;
 use crate::chrome::{Page, Seen};
 use crate::pages::none;
 
-/// How many pixels are between two words of a picture side by side, and between its words and what cuts them off.
+/// In pixels, between two words side by side, and between words and what cuts them off.
 const APART: f64 = 4.0;
 
-/// No words in a figure or an explorer touch others or are cut off, on a desk and on a phone.
 pub fn apart(page: &mut Page, book: &Book) -> Seen {
     let (mut wrong, mut count) = (Vec::new(), 0);
     for name in crate::explorers::PAGES
@@ -60,8 +59,7 @@ pub fn apart(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// On a desk all of the map is seen at once and all its names are read; where that cannot be, on a phone, it has signs alone, and
-/// says the name of the one that is pointed at.
+/// On a desk all names are read; on a phone it has signs, and says the name of the one pointed at.
 pub fn map(page: &mut Page, book: &Book) -> Seen {
     let whole = "[...document.querySelectorAll('.map-bar button')].find(button => button.textContent === 'Whole map').click()";
     page.resize(1400, 900)?;

@@ -1,10 +1,7 @@
-//! The book in a real browser, opened from the disk as its readers open it.
+//! The book in a real browser, opened from the disk.
 //!
-//! These tests need a Chromium on the search path. Without one they are skipped, and say so, unless the environment has
-//! `SLIPBOOK_BROWSER=require`, as `.ci/run` sets it.
-//!
-//! What a reader waits for is allowed ten times as long here as it is meant to take, for machines that do other work beside;
-//! `cargo bench --test browser` measures it alone and allows no more than is meant.
+//! Without a Chromium these tests are skipped, and say so, unless `SLIPBOOK_BROWSER=require` is set, as by `.ci/run`. What a
+//! reader waits for is allowed ten times as long here as it is meant to take; `cargo bench --test browser` allows no more.
 
 mod access;
 mod chrome;
@@ -32,10 +29,8 @@ use std::thread;
 use tempfile::TempDir;
 use visit::Visit;
 
-/// How many tabs are worked in at a time.
 const TABS: usize = 3;
 
-/// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Seen;
 
 const TESTS: [(&str, Test); 35] = [
@@ -97,7 +92,6 @@ const TESTS: [(&str, Test); 35] = [
     ("themes_are_accessible", access::themes),
 ];
 
-/// What the benchmark measures.
 const TIMED: [&str; 4] = [
     "every_answer_comes_in_time",
     "every_slider_shows_its_picture_in_time",
@@ -105,7 +99,6 @@ const TIMED: [&str; 4] = [
     "all_pages_in_one_come_in_time",
 ];
 
-/// Whether times are measured, with nothing else at the same time.
 pub fn timed_alone() -> bool {
     env::args().any(|argument| argument == "--bench")
 }
@@ -142,7 +135,6 @@ fn main() -> ExitCode {
     conclusion.exit_code()
 }
 
-/// What the tests share; made when the first of them runs.
 #[derive(Default)]
 struct Shared {
     path: Option<PathBuf>,
@@ -150,7 +142,6 @@ struct Shared {
     browser: OnceLock<Seen<Running>>,
 }
 
-/// A browser with the folder of its data.
 struct Running {
     browser: Browser,
     _data: TempDir,
@@ -169,7 +160,6 @@ impl Running {
 impl Shared {
     fn run(&self, test: Test) -> Seen {
         let path = self.path.as_ref().ok_or("no Chromium on the search path")?;
-        // The browser starts while the book is written.
         let (book, running) = thread::scope(|scope| {
             let browser = || self.browser.get_or_init(|| Running::start(path));
             let starting = scope.spawn(browser);
@@ -182,12 +172,9 @@ impl Shared {
     }
 }
 
-/// The book, written by the command.
 pub struct Book {
     folder: TempDir,
-    /// Its pages, by their paths within it.
     pub pages: Vec<String>,
-    /// What was seen on them.
     visits: OnceLock<Seen<BTreeMap<String, Visit>>>,
 }
 
@@ -210,7 +197,7 @@ impl Book {
             .into_keys()
             .filter(|name| name.ends_with(".html") && !leads_on(name))
             .collect();
-        // The longest first, so that no tab is left alone with one in the end.
+        // So that no tab is left alone with a long one in the end.
         let length = |page: &String| fs::metadata(out.join(page)).map_or(0, |file| file.len());
         pages.sort_by_cached_key(|page| (Reverse(length(page)), page.clone()));
         Ok(Book {
@@ -224,19 +211,16 @@ impl Book {
         self.folder.path().join("book")
     }
 
-    /// The address of a page, with what may follow its name.
     pub fn address(&self, page: &str) -> String {
         address_of(&self.folder().join(page))
     }
 
-    /// Whether a page is one that a reader turns: not the one for printing, nor mdBook's own frame of the contents, nor a
-    /// source file.
+    /// Not the page for printing, nor mdBook's own frame of the contents, nor a source file.
     pub fn is_chapter(&self, page: &str) -> bool {
         !page.contains('/') && !["print.html", "toc.html"].contains(&page)
     }
 }
 
-/// The address of a file.
 fn address_of(path: &Path) -> String {
     format!("file://{}", path.display())
 }

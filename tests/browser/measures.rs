@@ -6,20 +6,16 @@ use crate::explorers::{PAGES, page_of};
 use crate::pages::{CHAPTERS, none};
 use serde_json::{Value, json};
 
-/// How much slower a reader's processor may be.
 const SLOWER: f64 = 4.0;
-/// How long an answer may take there, in milliseconds.
+/// In milliseconds, with the slower processor.
 const ANSWER: f64 = 50.0;
-/// How long the page's own thread may work on all pages in one, in seconds. It may take eight until they are there, of which it
-/// waits for half a second.
+/// Of the page's own thread for all pages in one, in seconds; half a second more is waited.
 const READY: f64 = 7.0;
 /// A picture of sixty in a second.
 const PICTURE: f64 = 1000.0 / 60.0;
-/// A test allows so many times as long: other work on the machine makes things late, a mistake makes them last for ever. The
-/// benchmark allows none of it.
+/// Other work on the machine makes things late, a mistake makes them last for ever. The benchmark allows none of it.
 const LEEWAY: f64 = 10.0;
 
-/// A time that is aimed at, with what is allowed beside it.
 fn allowed(aim: f64) -> f64 {
     match crate::timed_alone() {
         true => aim,
@@ -27,7 +23,6 @@ fn allowed(aim: f64) -> f64 {
     }
 }
 
-/// Arguments for each of the crate's questions, the slowest among them.
 const GIVEN: [(u32, &[[f64; 4]]); 14] = [
     (0, &[[1.2, 120.0, 0.0, 0.0], [1.01, 1.0, 0.0, 0.0]]),
     (1, &[[1.01, 0.0, 0.0, 0.0], [1.2, 0.0, 0.0, 0.0]]),
@@ -58,7 +53,6 @@ fn slow(page: &mut Page, rate: f64) -> Seen {
         .map(drop)
 }
 
-/// Every question is answered within the time, the border between rest and escape too; other work on the machine aside.
 pub fn answers(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("index.html"))?;
     slow(page, SLOWER)?;
@@ -94,9 +88,9 @@ pub fn answers(page: &mut Page, book: &Book) -> Seen {
     none(found?)
 }
 
-/// From the slider to the picture: all that is computed and drawn for it, by one thread that is slowed down.
+/// From the slider to the picture, by one thread that is slowed down.
 pub fn sliders(page: &mut Page, book: &Book) -> Seen {
-    // Without workers the page's own thread answers; those would not be slowed down.
+    // Workers would not be slowed down.
     let alone = json!({ "source": "window.Worker = undefined;" });
     page.call("Page.addScriptToEvaluateOnNewDocument", alone)?;
     let (mut late, limit) = (Vec::new(), allowed(ANSWER));
@@ -130,7 +124,6 @@ pub fn sliders(page: &mut Page, book: &Book) -> Seen {
     none(late)
 }
 
-/// Every picture of a film is drawn in less than the time that it is shown.
 pub fn frames(page: &mut Page, book: &Book) -> Seen {
     let mut late = Vec::new();
     for name in PAGES.map(crate::explorers::name_on) {
@@ -164,8 +157,7 @@ pub fn frames(page: &mut Page, book: &Book) -> Seen {
     none(late)
 }
 
-/// On a phone the words of all figures can be read, and what one plays with stays in view with each picture; an explorer stands
-/// in the first third of its page.
+/// Words can be read; what one plays with stays in view; an explorer is in the first third of its page.
 pub fn phone(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for name in PAGES.map(crate::explorers::name_on) {
@@ -201,7 +193,6 @@ pub fn phone(page: &mut Page, book: &Book) -> Seen {
                 return false;
             }).map(svg => `${svg.closest('figure').id} is cut off`)",
         )?);
-        // It has all in one picture.
         if name == "record" {
             continue;
         }
@@ -224,10 +215,9 @@ pub fn phone(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// All pages in one are there in time.
 pub fn paper(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
-    // The time of the page's own thread: what else this machine does is not counted.
+    // What else this machine does is not counted.
     page.call("Performance.enable", json!({ "timeDomain": "threadTicks" }))?;
     page.open(&book.address("print.html"))?;
     let metrics = page.call("Performance.getMetrics", json!({}))?;
@@ -243,7 +233,6 @@ pub fn paper(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// What one points at is said in short: a number in the text, a symbol.
 pub fn cards(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address(&format!("{}.html", CHAPTERS[7])))?;
     let mut wrong = Vec::new();

@@ -6,7 +6,7 @@ use crate::pages::none;
 use serde_json::{Value, json};
 use slipbook::explorers::{answer, scene::told};
 
-/// Waits until a part of the page shows something new, and returns its numbers by their names, and what it says under `says`.
+/// The new numbers by their names, and what it says under `says`.
 fn shown(page: &mut Page, part: &str, expected: &str) -> Seen<Value> {
     let shown = format!("document.getElementById('{part}').dataset.shown");
     page.wait_for(&format!("{shown} === {}", json!(expected)))?;
@@ -17,7 +17,6 @@ fn shown(page: &mut Page, part: &str, expected: &str) -> Seen<Value> {
     ))
 }
 
-/// What differs from the crate's answer to a question in words.
 fn other(found: &Value, question: &str) -> Vec<String> {
     let told = told(question);
     let rows: Vec<Vec<_>> = told
@@ -25,7 +24,6 @@ fn other(found: &Value, question: &str) -> Vec<String> {
         .map(|line| line.split('\t').collect())
         .collect();
     let numbers = rows.iter().filter(|row| row[0] == "number");
-    // The name has its subscript without the sign for it.
     let wrong =
         numbers.filter(|row| found[row[1].replace('_', "")].as_f64() != row[2].parse().ok());
     wrong
@@ -33,7 +31,6 @@ fn other(found: &Value, question: &str) -> Vec<String> {
         .collect()
 }
 
-/// A scene of one's own: from the link, from the fields, from a command, and back.
 pub fn scenes(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     let line = "document.querySelector('#own textarea')";
@@ -43,7 +40,6 @@ pub fn scenes(page: &mut Page, book: &Book) -> Seen {
             json!(text)
         )
     };
-    // From a link, and by the commands of the page.
     page.open(&book.address(
         "scenes.html#block&mu=0.3&throw=6m/s@30deg&pull=4*sin(10*t)&pull=1@90deg&until=2s",
     ))?;
@@ -61,7 +57,6 @@ pub fn scenes(page: &mut Page, book: &Book) -> Seen {
     if command != whole || found["plots"] != 2 {
         wrong.push(format!("{command}, {found}"));
     }
-    // From a field, and from a command line that has more than words.
     page.value(&type_in(
         "document.querySelector('#own [name=mu]')",
         "0.5 0",
@@ -92,7 +87,6 @@ pub fn scenes(page: &mut Page, book: &Book) -> Seen {
         wrong.push(format!("{found}"));
     }
     page.wait_for("location.hash === '#ball&mu=0.08&throw=5m/s&radius=11cm'")?;
-    // From a question.
     page.open(&book.address("questions.html"))?;
     page.value("document.querySelector('a[href*=\"#own?\"]').click()")?;
     let whole = "#block&mu=0.16&mu-s=0.18&accelerate=2.15m/s^2&until=1.81m&g=9.8m/s^2";
@@ -101,7 +95,6 @@ pub fn scenes(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// What an explorer shows is had as a scene, which ends where the explorer's motion does.
 pub fn as_scenes(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     let ask = |number, given| answer(number, given).map_err(|error| error.to_string());
@@ -158,7 +151,7 @@ pub fn as_scenes(page: &mut Page, book: &Book) -> Seen {
         let found = shown(page, "own", scene.as_str().unwrap_or_default())?;
         let off = [("x", x), ("y", y)]
             .map(|(name, right)| (found[name].as_f64().unwrap_or(f64::NAN) - right).abs());
-        // The displacements on a tray are sums over its pictures, with their corners.
+        // Displacements on a tray are sums over its pictures.
         if !off.iter().all(|off| *off < 1e-3) {
             wrong.push(format!(
                 "{name}, {state}: ({x}, {y}) is not {found} of {scene}"
@@ -172,7 +165,6 @@ fn two(numbers: &[f64]) -> [f64; 2] {
     [0, 1].map(|i| numbers.get(i).copied().unwrap_or(f64::NAN))
 }
 
-/// A recording that is dropped: its plot, the block on it, its friction, and the same as a scene.
 pub fn recordings(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     let row = |k: i32| {
@@ -207,7 +199,6 @@ pub fn recordings(page: &mut Page, book: &Book) -> Seen {
     {
         wrong.push(format!("{friction}"));
     }
-    // The scene has the file by its name.
     page.value("document.querySelector('#recording .as-scene').click()")?;
     let scene = shown(
         page,
@@ -217,7 +208,6 @@ pub fn recordings(page: &mut Page, book: &Book) -> Seen {
     if scene["x"] != found["x"] || scene["plots"] != 2 {
         wrong.push(format!("{scene} is not {found}"));
     }
-    // What is none is told, with its name.
     page.value(&drop("t,v_x\n0,1\n"))?;
     page.wait_for(
         "document.querySelector('#recording .says').textContent.startsWith('my phone.csv: line 1')",

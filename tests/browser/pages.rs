@@ -6,7 +6,6 @@ use crate::visit::visits;
 use serde_json::json;
 use std::collections::BTreeSet;
 
-/// Every page loads, and neither complains nor asks anybody for anything.
 pub fn load(page: &mut Page, book: &Book) -> Seen {
     let visits = visits(page, book)?.iter();
     let found = visits.flat_map(|(name, visit)| {
@@ -18,19 +17,17 @@ pub fn load(page: &mut Page, book: &Book) -> Seen {
     none(found.collect())
 }
 
-/// Every address in a page, of a link or of a file, leads to a file of the book, every fragment to a place in it.
 pub fn links(page: &mut Page, book: &Book) -> Seen {
     let (root, visits) = (book.address(""), visits(page, book)?);
     let leads = |address: &str| {
         let Some(path) = address.strip_prefix(&root) else {
-            // Other people's pages are named, and not asked for.
+            // They are named, and not asked for.
             let asked = include_str!("../../book/questions.toml").contains(address);
             return asked
                 || address.starts_with("data:")
                 || address.starts_with("https://arxiv.org/");
         };
         let (file, fragment) = path.split_once('#').unwrap_or((path, ""));
-        // The state of an explorer, or a scene.
         let fragment = match fragment.split_once('&') {
             Some(("block" | "ball", _)) => "own",
             _ => fragment.split('?').next().unwrap_or(""),
@@ -53,7 +50,7 @@ pub fn links(page: &mut Page, book: &Book) -> Seen {
     )
 }
 
-/// Whether a label shows what should have become markup, or has and is read as text. Between two quantities `<` is a sign.
+/// It shows what should have become markup, or has and is read as text. Between two quantities `<` is a sign.
 pub fn is_marked(label: &str) -> bool {
     let label = label.replace(" < ", "").replace(" > ", "");
     label.contains(['"', '<', '>', '&', '_', '^'])
@@ -62,7 +59,6 @@ pub fn is_marked(label: &str) -> bool {
             .any(|part| label.contains(part))
 }
 
-/// The labels of the figures are words, on every page.
 pub fn labels(page: &mut Page, book: &Book) -> Seen {
     let visits = visits(page, book)?;
     let all = || {
@@ -81,13 +77,11 @@ pub fn labels(page: &mut Page, book: &Book) -> Seen {
     )
 }
 
-/// What a reader may ask, and the address that must be found first.
 fn questions() -> impl Iterator<Item = (&'static str, &'static str)> {
     let lines = include_str!("questions.tsv").lines();
     lines.filter_map(|line| line.split_once('\t'))
 }
 
-/// The search finds first what one asks for, and a claim among what is found bears its verdict's mark.
 pub fn search(page: &mut Page, book: &Book) -> Seen {
     let mut missing = Vec::new();
     page.open(&book.address("index.html"))?;
@@ -97,7 +91,7 @@ pub fn search(page: &mut Page, book: &Book) -> Seen {
     for (asked, address) in questions() {
         page.value(&format!("{bar}.value = ''"))?;
         page.write(asked)?;
-        // Text that is put in releases no key, for which the field waits.
+        // For a key that the field waits for.
         page.press("ArrowRight")?;
         page.wait_for(&format!(
             "document.getElementById('mdbook-searchresults-header').textContent.includes({})",
@@ -123,7 +117,6 @@ pub fn search(page: &mut Page, book: &Book) -> Seen {
     none(missing)
 }
 
-/// The chapters that follow the paper.
 pub const CHAPTERS: [&str; 9] = [
     "general",
     "constant",
@@ -136,7 +129,7 @@ pub const CHAPTERS: [&str; 9] = [
     "rest",
 ];
 
-/// Folded, the chapters are short, and so are the boxes of what stands; the switch unfolds all and is remembered.
+/// Folded, chapters and boxes are short; the switch unfolds all and is remembered.
 pub fn folds(page: &mut Page, book: &Book) -> Seen {
     page.resize(1400, 900)?;
     let (mut lengths, mut wrong) = (Vec::new(), Vec::new());
@@ -145,13 +138,12 @@ pub fn folds(page: &mut Page, book: &Book) -> Seen {
         page.explored()?;
         let height = page.value("document.documentElement.scrollHeight")?;
         lengths.push((name, height.as_f64().unwrap_or(f64::INFINITY) / 900.0));
-        // What a box needs besides its formula.
         wrong.extend(page.texts(
             "[...document.querySelectorAll('.claim:is(.confirmed, .degenerate, .definition)')].map(box => [box, [...box.children]
                 .filter(part => part.matches('.claim-formula, .claim-words')).reduce((rest, part) => rest - part.offsetHeight, box.offsetHeight)])
                 .filter(([, height]) => height > 120).map(([box, height]) => `${box.getAttribute('aria-labelledby')} is ${height} high`)",
         )?);
-        // On a desk nothing has to be scrolled aside, whatever is unfolded; a table of samples may be wider.
+        // Nothing has to be scrolled aside on a desk; a table of samples may be wider.
         let unfolded = "document.querySelectorAll('main details').forEach(fold => { fold.dataset.was = fold.open; fold.open = true; })";
         let folded = "document.querySelectorAll('main details').forEach(fold => { fold.open = fold.dataset.was === 'true'; })";
         page.value(unfolded)?;
@@ -168,7 +160,7 @@ pub fn folds(page: &mut Page, book: &Book) -> Seen {
         if stops.as_f64().is_none_or(|stops| stops > 116.0) {
             wrong.push(format!("{name} has {stops} stops for the tabulator"));
         }
-        // The parts of the page are one of them; the arrow keys lead on.
+        // The parts of the page are one of them.
         let parts = "[...document.querySelectorAll('#mdbook-sidebar a[href*=\"#\"]:not(.marked)')]";
         page.value(&format!("{parts}[0].focus()"))?;
         page.press("ArrowDown")?;
@@ -201,7 +193,7 @@ pub fn folds(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// A page has its length half a second after it is there, and the place of an address its own.
+/// Half a second after it is there; and the place of an address its own.
 pub fn lengths(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for width in [1400, 390] {
@@ -240,7 +232,6 @@ pub fn lengths(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// The first page answers to numbers, symbols and words, and has a mark for every equation.
 pub fn front(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("index.html"))?;
     let mut wrong = Vec::new();
@@ -266,7 +257,6 @@ pub fn front(page: &mut Page, book: &Book) -> Seen {
                 .map(|words| format!("\"{asked}\": without a verdict or a formula, {words}")),
         );
     }
-    // What it has no room for is a link away.
     let more = "document.querySelector('.ask .answers p a')?.href";
     page.value("(field => { field.value = 'sphere'; field.dispatchEvent(new Event('input')); })(document.querySelector('.ask input'))")?;
     page.wait_for(&format!("{more}?.endsWith('?search=sphere')"))?;
@@ -274,14 +264,13 @@ pub fn front(page: &mut Page, book: &Book) -> Seen {
     page.open(more.as_str().unwrap_or_default())?;
     page.wait_for("document.querySelectorAll('#mdbook-searchresults a').length > 4")?;
     page.open(&book.address("index.html"))?;
-    // Its own hint is among what is asked.
     let hint = page.value("document.querySelector('.ask input').placeholder")?;
     for example in hint.as_str().unwrap_or_default().split(", ") {
         if !questions().any(|(asked, _)| asked == example) {
             wrong.push(format!("whether {example} is found is not known"));
         }
     }
-    // On a usual screen nothing of it has to be scrolled to, and no two parts of the strip are called the same.
+    // Nothing has to be scrolled to, and no two parts of the strip are called the same.
     page.resize(1400, 900)?;
     page.open(&book.address("index.html"))?;
     page.explored()?;
@@ -308,7 +297,6 @@ pub fn front(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// The long tables keep the rows that one asks for, and sort.
 pub fn filters(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("ledger.html"))?;
     let mut wrong = Vec::new();
@@ -372,7 +360,6 @@ pub fn filters(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// The addresses of earlier books lead to where things are now; without scripts to the page.
 pub fn moved(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for scripts in [true, false] {
@@ -396,7 +383,6 @@ pub fn moved(page: &mut Page, book: &Book) -> Seen {
                     "location.href === {} && document.getElementById('{place}') !== null",
                     json!(book.address(&format!("{new}#{place}")))
                 ),
-                // Where a page has gone, not where each of its parts has.
                 false => "document.querySelector('main h1') !== null".to_owned(),
             };
             if page.wait_for(&there).is_err() {
@@ -407,7 +393,6 @@ pub fn moved(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// The contents are opened and closed without a mouse.
 pub fn contents(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("index.html"))?;
     page.value("document.querySelector('button[aria-controls=mdbook-sidebar]').focus()")?;
@@ -421,7 +406,6 @@ pub fn contents(page: &mut Page, book: &Book) -> Seen {
     Ok(())
 }
 
-/// On a screen of 390 pixels nothing sticks out at the side.
 pub fn narrow(page: &mut Page, book: &Book) -> Seen {
     let visits = visits(page, book)?
         .iter()
@@ -433,7 +417,6 @@ pub fn narrow(page: &mut Page, book: &Book) -> Seen {
     )
 }
 
-/// With scripts off, the figures are seen and the places of the explorers are not.
 pub fn without_scripts(page: &mut Page, book: &Book) -> Seen {
     page.call(
         "Emulation.setScriptExecutionDisabled",
@@ -445,7 +428,7 @@ pub fn without_scripts(page: &mut Page, book: &Book) -> Seen {
             "Page.navigate",
             json!({ "url": book.address(&format!("{name}.html")) }),
         )?;
-        // No script of the page's own runs, but the browser's own eyes are open.
+        // The browser's own eyes are open.
         page.wait_for(&format!(
             "location.pathname.endsWith('/{name}.html') && document.readyState === 'complete'"
         ))?;
@@ -460,7 +443,6 @@ pub fn without_scripts(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// The print page holds the figures, not the explorers.
 pub fn printing(page: &mut Page, book: &Book) -> Seen {
     let visit = visits(page, book)?.get("print.html");
     let seen = &visit.ok_or("no page for printing")?.explorers;
@@ -472,7 +454,6 @@ pub fn printing(page: &mut Page, book: &Book) -> Seen {
     }
 }
 
-/// Fails with a list of what was found, unless it is empty.
 pub fn none(found: Vec<String>) -> Seen {
     if found.is_empty() {
         Ok(())

@@ -5,14 +5,14 @@ use crate::chrome::{Page, Seen};
 use crate::pages::{CHAPTERS, none};
 use serde_json::json;
 
-/// The width of a sheet between its margins, 176 mm, in pixels.
+/// 176 mm between the margins, in pixels.
 const SHEET: u32 = 665;
 
-/// Pages with what is hard to set: long formulas, wide tables, figures.
+/// Long formulas, wide tables, figures.
 const HARD: [&str; 6] = ["errata", "ledger", "methods", "lookup", "exam", "map"];
 
-/// Words, figures and formulas are printed in eight points at least, but for indices and powers, and no formula is wider than its
-/// place, for which a browser would set the whole page smaller.
+/// Eight points at least, but for indices and powers; no formula is wider than its place, or a browser would set the whole page
+/// smaller.
 pub fn sizes(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for name in CHAPTERS.into_iter().chain(HARD) {
@@ -73,7 +73,6 @@ pub fn sizes(page: &mut Page, book: &Book) -> Seen {
     none(wrong)
 }
 
-/// What a printer gets can be read, and nothing lies over it; the errata fill few sheets.
 pub fn sheets(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for name in ["errata", "ledger", "constant", "rest"] {

@@ -1,4 +1,4 @@
-//! What the stages draw, picture by picture: bodies where the crate says, turned as it says, with arrows along their velocities.
+//! What the stages draw: bodies where the crate says, turned as it says, with arrows along their velocities.
 
 use crate::Book;
 use crate::chrome::{Page, Seen};
@@ -7,14 +7,11 @@ use crate::pages::none;
 use serde_json::Value;
 use slipbook::explorers::{Answer, answer};
 
-/// Pictures that are looked at.
 const PICTURES: [usize; 7] = [0, 7, 40, 111, 205, 333, 477];
-/// How far a mark may be from its place, in the units of the picture.
 const OFF: f64 = 0.11;
-/// Length of an arrow for a velocity of 1.
+/// For a velocity of 1.
 const ARROW: f64 = 44.0;
 
-/// A body with its arrows and spokes as drawn.
 #[derive(Debug, serde::Deserialize)]
 struct Drawn {
     bodies: Vec<[f64; 2]>,
@@ -23,7 +20,6 @@ struct Drawn {
     words: String,
 }
 
-/// Reads what is drawn at a picture.
 fn drawn(page: &mut Page, name: &str, picture: usize) -> Seen<Drawn> {
     let found: Value = page.value(&format!(
         "(host => {{
@@ -45,10 +41,10 @@ fn drawn(page: &mut Page, name: &str, picture: usize) -> Seen<Drawn> {
     serde_json::from_value(found).map_err(|error| error.to_string())
 }
 
-/// The places of bodies and the arrows that a film has at a picture; arrows shorter than 1 are not drawn.
+/// Places of bodies and arrows at a picture; arrows shorter than 1 are not drawn.
 type Expected = fn(&Answer, usize) -> (Vec<[f64; 2]>, Vec<[f64; 2]>);
 
-/// A block or a ball in the laboratory, which comes back at the other side.
+/// It comes back at the other side.
 fn across(film: &Answer, i: usize, unit: f64) -> f64 {
     let [floor, body] = film.curves[0][i];
     (380.0 + unit * (floor + body)).rem_euclid(760.0)
@@ -59,7 +55,6 @@ fn tray(film: &Answer, i: usize) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
     (vec![[across(film, i, 70.0), 85.0]], vec![arrow])
 }
 
-/// Each explorer with its address, the question that its film answers, and what is to be seen.
 const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
     (
         "constant",
@@ -68,7 +63,6 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
         [0.7, 120.0, 0.0, 0.0],
         |film, i| {
             let [u, v] = film.curves[1][i];
-            // The block, and the one on a table at rest.
             let both = [&film.curves[0], &film.curves[2]];
             let ends = |k: usize| {
                 let all = both.into_iter().flatten().map(|place| place[k]);
@@ -151,7 +145,7 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
         |film, i| {
             let at = |x: f64, [u, v]: [f64; 2]| [x + 57.0 * u, 130.0 - 57.0 * v];
             let mut places = vec![at(180.0, film.curves[1][i]), at(560.0, film.curves[0][i])];
-            // The second coin is shown at the same time; its film has steps of its own.
+            // At the same time; its film has steps of its own.
             if let Ok(other) = answer(4, [0.88, 0.0, -0.88, 0.0]) {
                 let k = i as f64 * film.values[3] / other.values[3];
                 for (x, curve) in [(180.0, &other.curves[1]), (560.0, &other.curves[0])] {
@@ -174,7 +168,6 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
     ),
 ];
 
-/// Bodies stand, turn and point as the crate says.
 pub fn pictures(page: &mut Page, book: &Book) -> Seen {
     page.resize(1400, 1000)?;
     let mut wrong = Vec::new();
@@ -193,7 +186,6 @@ pub fn pictures(page: &mut Page, book: &Book) -> Seen {
             let (places, arrows) = expected(&film, picture);
             let long = |[u, v]: &[f64; 2]| u.hypot(*v) >= 1.0;
             let near = |a: &[f64; 2], b: &[f64; 2]| (0..2).all(|k| (a[k] - b[k]).abs() < OFF);
-            // Near a side there is a second body at the other one.
             let missing = places
                 .iter()
                 .any(|place| !seen.bodies.iter().any(|b| near(b, place)));

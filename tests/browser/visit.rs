@@ -8,25 +8,19 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// What was seen on a page.
 pub struct Visit {
-    /// Errors, and requests to anywhere but the disk.
     pub complaints: Vec<String>,
-    /// The places to which a fragment may lead.
     pub places: BTreeSet<String>,
-    /// All addresses, of links and of files, as the browser resolves them.
+    /// As the browser resolves them.
     pub addresses: Vec<String>,
-    /// The words in its figures and explorers, and those for who does not see them.
     pub labels: Vec<String>,
-    /// For each explorer, whether it is seen, and whether the still figure is.
+    /// Whether each is seen, and whether the still figure is.
     pub explorers: Value,
-    /// Its width on a screen of 390 pixels, for a chapter.
     pub width: Value,
-    /// The rules of accessibility that it breaks, if it is a chapter.
     pub broken: Vec<String>,
 }
 
-/// The visits, made when they are first asked for, in several tabs.
+/// Made when first asked for, in several tabs.
 pub fn visits<'b>(page: &Page, book: &'b Book) -> Seen<&'b BTreeMap<String, Visit>> {
     let next = AtomicUsize::new(0);
     let some = || {
@@ -50,7 +44,7 @@ pub fn visits<'b>(page: &Page, book: &'b Book) -> Seen<&'b BTreeMap<String, Visi
 }
 
 fn visit(page: &mut Page, book: &Book, name: &str) -> Seen<Visit> {
-    // A phone first: a page that is laid out once more for a desk is laid out twice, and not three times.
+    // A phone first, so that a page is laid out twice, not three times.
     if book.is_chapter(name) {
         page.resize(390, 800)?;
     }

@@ -1,6 +1,4 @@
 //! One test per claim: it is tried, judged, and its sheet held against `snapshots/<topic>/<id>.snap`.
-//!
-//! `cargo insta review` shows a change as claim, formula, values and verdict.
 
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -20,7 +18,6 @@ use std::sync::Arc;
 use std::thread;
 use trialbook::trials::{Claim, Sort, attempt::Attempt, statement::Proved};
 
-/// What is asked of the whole ledger.
 type Test = fn(&Ledger) -> Result<(), Failed>;
 
 const WHOLE: [(&str, Test); 11] = [
@@ -38,12 +35,11 @@ const WHOLE: [(&str, Test); 11] = [
 ];
 
 fn main() -> ExitCode {
-    // One after another, or the differences of several claims are printed into each other.
+    // One after another, or their differences are printed into each other.
     let arguments = Arguments {
         test_threads: Some(1),
         ..Arguments::from_args()
     };
-    // Before anything is tried.
     if let Err(faults) = EDITION.check() {
         eprintln!("{faults}");
         return ExitCode::from(2);
@@ -68,7 +64,6 @@ fn main() -> ExitCode {
     let whole = WHOLE.iter().any(|(name, _)| asked(name));
     let some = claims.iter().filter(|(name, ..)| asked(name));
     let some: Vec<_> = some.map(|(_, _, id)| *id).collect();
-    // What nobody asks for is not tried.
     let ledger = Arc::new(match whole {
         true => Ledger::try_all(&PAPER, |_| {}),
         false => Ledger::try_some(&PAPER, &some, |_| {}),
@@ -101,12 +96,10 @@ fn main() -> ExitCode {
     conclusion.exit_code()
 }
 
-/// The verdicts are the recorded ones.
 fn verdicts(ledger: &Ledger) -> Result<(), Failed> {
     same_as_snapshot("", "verdicts", &Record::text_of(ledger))
 }
 
-/// What the sheets answer without trying is what the trials bring.
 fn recorded(ledger: &Ledger) -> Result<(), Failed> {
     let told = |of: &Ledger| -> Result<Vec<String>, Failed> {
         let mut errata = of.errata()?;
@@ -130,7 +123,6 @@ fn recorded(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// What each claim is derived from or refers to, on a line.
 fn dependencies() -> Result<(), Failed> {
     let line = |(_, c): (_, &Claim)| format!("{}: {}\n", c.id, c.depends_on.join(" "));
     same_as_snapshot(
@@ -140,7 +132,7 @@ fn dependencies() -> Result<(), Failed> {
     )
 }
 
-/// What a trial finds without the paper, and in what units it compares, stays where it is when a formula is wrong.
+/// What a trial finds without the paper, and its units, stay where they are when a formula is wrong.
 fn leaning(ledger: &Ledger) -> Result<(), Failed> {
     let leans = ledger.leaning().into_iter().map(|(key, trial, formula)| {
         format!("{key}, {trial}: what it finds, or its scale, moves with a mistake in {formula}")
@@ -151,7 +143,6 @@ fn leaning(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// Fails with what was found, and with what to do.
 fn none(found: &[String], mend: &str) -> Result<(), Failed> {
     match found.is_empty() {
         true => Ok(()),
@@ -159,7 +150,6 @@ fn none(found: &[String], mend: &str) -> Result<(), Failed> {
     }
 }
 
-/// What is said of a trial is said in sentences, and what disagrees is shown.
 fn sentences(ledger: &Ledger) -> Result<(), Failed> {
     let bad = |text: &String| {
         let formulas = text.matches('$').count().is_multiple_of(2);
@@ -200,13 +190,12 @@ fn sentences(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// Whether a claim is derived from the one of this id, directly or through others.
 fn rests_on(claim: &Claim, id: &str) -> bool {
     let below = |on: &&str| **on == *id || rests_on(PAPER.find(on).expect("a claim").1, id);
     claim.depends_on.iter().any(below)
 }
 
-/// The equations that a comparison names, though the trial has not read them and the claim neither is nor rests on them.
+/// Though the trial has not read them and the claim neither is nor rests on them.
 fn names_another(entry: &Entry, e: &Evidence) -> Option<String> {
     let words = e.compared.words();
     let claim = entry.claim;
@@ -228,7 +217,6 @@ fn names_another(entry: &Entry, e: &Evidence) -> Option<String> {
     (!strange.is_empty()).then(|| format!("{named:?} is named and was not read"))
 }
 
-/// True if the number of points that fail and the pairs that are shown say what the outcome says.
 fn shows(e: &Evidence) -> bool {
     let apart = |s: &Sample| s.stated != s.found;
     let shown = || (1..=e.failed).contains(&e.samples.len()) && e.samples.iter().all(apart);
@@ -239,7 +227,7 @@ fn shows(e: &Evidence) -> bool {
     }
 }
 
-/// Values that the trials of their claim neither read nor show, roots and runs of their own: by hand, with the claim.
+/// Roots and runs of their own, which the trials neither read nor show.
 const VALUES_BY_HAND: &[(&str, &str)] = &[
     ("fig-3-largest", "fig-3"),
     ("fig-4-largest", "fig-4"),
@@ -259,7 +247,6 @@ const VALUES_BY_HAND: &[(&str, &str)] = &[
     ("curve-a-12", "eq-53"),
 ];
 
-/// A value is computed from what the trials of its claim read, a formula or runs, or they show it.
 fn values(ledger: &Ledger) -> Result<(), Failed> {
     let mut strange = Vec::new();
     for value in PAPER.values() {
@@ -284,7 +271,6 @@ fn values(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// A number or a symbol of a condition at a point, by its LaTeX.
 fn term(latex: &str, at: &BTreeMap<&str, f64>) -> Option<f64> {
     match latex {
         "0" => Some(0.0),
@@ -298,8 +284,8 @@ fn term(latex: &str, at: &BTreeMap<&str, f64>) -> Option<f64> {
     }
 }
 
-/// Whether what a condition begins with holds at a point, or by how little it does not: `a<b<c`, `a>b` or `a\neq b,c`; nothing if
-/// it is in words, or about something else.
+/// Whether what a condition begins with holds, or by how little it does not: `a<b<c`, `a>b` or `a\neq b,c`; nothing if it
+/// is in words, or about something else.
 fn holds(text: &str, at: &BTreeMap<&str, f64>, nearly: f64) -> Option<bool> {
     let (relation, _) = text.strip_prefix('$')?.split_once('$')?;
     if let Some((left, right)) = relation.split_once(r"\neq") {
@@ -316,8 +302,8 @@ fn holds(text: &str, at: &BTreeMap<&str, f64>, nearly: f64) -> Option<bool> {
     (terms.len() > 1).then(|| terms.windows(2).all(|pair| pair[0] < pair[1] + nearly))
 }
 
-/// The points that a condition excepts are those at which it does not hold as it is printed, and those at which the claim is tried as
-/// printed are those at which what the paper states holds: a trial has its points from elsewhere than the words.
+/// Excepted points are those at which the condition does not hold as printed, tried ones those at which it does: a trial has its
+/// points from elsewhere than the words.
 fn conditions(ledger: &Ledger) -> Result<(), Failed> {
     let mut strange = Vec::new();
     let everywhere: BTreeMap<_, _> = SYMBOLS.iter().map(|symbol| (symbol.plain, 0.5)).collect();
@@ -373,7 +359,6 @@ fn conditions(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// Evidence for which no formula of its claim was read is that for which a reason is given, and no other.
 fn reading(ledger: &Ledger) -> Result<(), Failed> {
     let those = |wanted: fn(&Entry, &Attempt, &Evidence) -> bool| {
         ledger.entries.iter().flat_map(move |entry| {
@@ -390,7 +375,6 @@ fn reading(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// The entries with the verdict that is recorded: of another, its sheet and its verdict tell all.
 fn as_recorded(ledger: &Ledger) -> Vec<&Entry> {
     let record = Record::parse(&PAPER.record).expect("the record can be read");
     let changed = record.differences(ledger);
@@ -398,8 +382,7 @@ fn as_recorded(ledger: &Ledger) -> Vec<&Entry> {
     ledger.entries.iter().filter(same).collect()
 }
 
-/// A formula that a proof reads: the proof by its claim and its name, its statement, whether it speaks of the formula, and the wrong
-/// variants of it.
+/// Claim and name, statement, whether it speaks of the formula, and the formula's wrong variants.
 type Read<'a> = (
     (&'static str, &'static str),
     &'static dyn Proved,
@@ -407,8 +390,8 @@ type Read<'a> = (
     Vec<&'a Variant>,
 );
 
-/// Every proof by algebra fails for every wrong variant of the formulas of its claim that it reads, and of those of which it speaks also
-/// where nothing else that it reads is wrong; and of any other formula that it reads for one at least. Where it does not, a reason is given.
+/// For every one of its claim's formulas that it reads, alone where it speaks of them; of any other that it reads for one at
+/// least. Else a reason is given.
 fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
     let variants = PAPER.formulas.variants();
     let as_recorded = as_recorded(ledger);
@@ -470,7 +453,6 @@ fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
     all_asked(proofs.len(), read, "formulas that proofs read")
 }
 
-/// Fails with what is so without a reason that is given, and with reasons for nothing.
 fn excused(
     found: impl Iterator<Item = String>,
     given: impl Iterator<Item = String>,
@@ -484,7 +466,6 @@ fn excused(
     none(&without.chain(idle).collect::<Vec<_>>(), mend)
 }
 
-/// Fails where a test asks less than there is.
 fn all_asked(asked: usize, there: usize, what: &str) -> Result<(), Failed> {
     match asked == there && there > 0 {
         true => Ok(()),
@@ -492,7 +473,6 @@ fn all_asked(asked: usize, there: usize, what: &str) -> Result<(), Failed> {
     }
 }
 
-/// Of every formula, every wrong variant is rejected but those for which a reason is given.
 fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
     let variants = PAPER.formulas.variants();
     let rejected = ledger.rejected(&variants);
@@ -511,7 +491,6 @@ fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
     all_asked(variants.len(), there, "wrong variants")
 }
 
-/// Where no proof is, it is said what is missing; and nothing is missing where a theorem says the whole, or nothing is to be proved.
 fn reasons(ledger: &Ledger) -> Result<(), Failed> {
     let wrong = as_recorded(ledger).into_iter().filter_map(|entry| {
         let why = match (entry.standing(), entry.claim.unproved) {
@@ -528,7 +507,6 @@ fn reasons(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
-/// What is to replace a claim, and a case against it, is shown where the claim fails, and a regular form where it has a condition.
 fn shown(ledger: &Ledger) -> Result<(), Failed> {
     let idle = as_recorded(ledger).into_iter().flat_map(|entry| {
         let (claim, verdict) = (entry.claim, entry.judgement.verdict);
@@ -544,13 +522,11 @@ fn shown(ledger: &Ledger) -> Result<(), Failed> {
     none(&idle.collect::<Vec<_>>(), "leave out what is not shown")
 }
 
-/// Every snapshot of a topic's folder belongs to a claim of that topic, or is the README's picture.
 fn stale() -> Result<(), Failed> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
     for topic in PAPER.topics {
         for file in fs::read_dir(root.join(topic.stem))? {
             let name = file?.file_name().to_string_lossy().into_owned();
-            // What `cargo insta review` is to look at.
             let name = name.trim_end_matches(".new");
             let of_a_claim = |claim: &Claim| name == format!("{}.snap", claim.id);
             if !topic.claims().iter().any(of_a_claim) && !name.starts_with("portrait.snap") {
@@ -569,7 +545,7 @@ fn same_as_snapshot(folder: &str, name: &str, text: &str) -> Result<(), Failed> 
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     let same = || settings.bind(|| assert_snapshot!(name, text));
-    // The difference is printed by then; where the comparison stands in the code is of no use.
+    // The difference is printed by then.
     let hook = take_hook();
     set_hook(Box::new(|_| {}));
     let compared = catch_unwind(AssertUnwindSafe(same));

@@ -1,5 +1,4 @@
-//! The record of how many digits the calculators claim and know: every one was tried with ten thousand cases, and claims no
-//! more than two digits too few in nine cases of ten.
+//! The record of how many digits the calculators claim and know, each tried with ten thousand cases.
 
 use std::collections::BTreeMap;
 

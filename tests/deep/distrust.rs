@@ -84,7 +84,6 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), String> {
     ))
 }
 
-/// The trials of the ledger's claims, by their keys.
 fn attempts(ledger: &Ledger) -> impl Iterator<Item = (Key, &'static Attempt)> {
     ledger.entries.iter().flat_map(|entry| {
         let trials = entry.claim.trials.iter().enumerate();

@@ -48,7 +48,6 @@ fn simulation_agrees_just_inside_what_is_proved() {
     }
 }
 
-/// Without what it has inherited.
 #[test]
 fn a_strip_of_each_map_is_proved_again_from_nothing() {
     for map in maps() {

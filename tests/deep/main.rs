@@ -1,5 +1,5 @@
-//! The record of the deep run, held against the trials as they are now. It is as of its commit: a line of a trial that is gone is
-//! left out, and so is a trial that has come since. `.ci/deep records` runs this, `cargo test` alone does not.
+//! The record of the deep run, held against the trials as they are now, but for those that are gone or new since its commit.
+//! `.ci/deep records` runs this, `cargo test` alone does not.
 
 mod digits;
 mod distrust;
@@ -11,7 +11,6 @@ use slipbook::ledger::{Ledger, deep::Deep};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// The ledger of a usual run, and with what the deep run has brought in its place.
 static LEDGERS: LazyLock<[Ledger; 2]> = LazyLock::new(|| {
     let now = Ledger::try_all(&PAPER, |_| {});
     let record = Deep::read(&PAPER.deep).expect("there is a record of a deep run");
@@ -40,12 +39,10 @@ fn outcomes_and_verdicts_are_those_of_a_usual_run() {
     assert!(compared > 0, "no line of the record is of a trial");
 }
 
-/// How many times looser a tolerance may be than the worst disagreement that it admits.
 const SLACK: f64 = 10.0;
 
-/// A tolerance is that of a method, and its reason speaks of the hardest case; two of three of its users come ten times closer, and
-/// each would need a number of its own, that could only be taken from what it measures. What holds each by itself is that it has
-/// to notice a mistake of twice its tolerance (`.ci/deep distrust`).
+/// A tolerance is that of a method, for the hardest case. Each trial has to notice a mistake of twice its tolerance (`.ci/deep
+/// distrust`).
 #[test]
 fn no_tolerance_is_far_looser_than_the_worst_that_it_admits() {
     let [_, deep] = &*LEDGERS;

@@ -1,11 +1,10 @@
-//! What is said of a periodic motion, held against the motion itself, looked at phase by phase.
+//! What is said of a periodic motion, held against the motion itself, phase by phase.
 
 use slipbook::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Margins, Sign};
 use std::f64::consts::{PI, TAU};
 
 type Shape = fn(f64) -> f64;
 
-/// Drives with one hump or several, with and without jumps and kinks; of each the jumps and kinks.
 const SHAPES: [(&str, Shape, &[f64]); 7] = [
     ("sine", |x| libm::sin(x), &[]),
     (
@@ -64,13 +63,11 @@ const FRICTIONS: [(f64, f64); 9] = [
     (1.9, 2.0),
 ];
 
-/// How finely an interval is looked at.
 const STEPS: usize = 20_000;
 
-/// What no drive here rises by from one phase looked at to the next, but at a jump.
+/// From one phase looked at to the next, but at a jump.
 const JUMP: f64 = 1e-2;
 
-/// The margins by their definition.
 fn seen(drive: &Drive, found: &Attractor) -> Margins {
     let (list, friction) = (found.intervals(), found.friction());
     let mut margins = Margins {
@@ -89,7 +86,7 @@ fn seen(drive: &Drive, found: &Attractor) -> Margins {
             margins.shortest = margins.shortest.min(interval.length());
         }
         let before = list[if k == 0 { list.len() - 1 } else { k - 1 }].sign;
-        // Just after the change: where it happens at a jump, the side of the new motion counts.
+        // At a jump the side of the new motion counts.
         let pull = drive.h(interval.start + 1e-9);
         let excess = match (before, interval.sign) {
             (Sign::Negative, Sign::Positive) => pull - friction.plus(),
@@ -109,11 +106,10 @@ fn seen(drive: &Drive, found: &Attractor) -> Margins {
                 side * found.w(*phi)
             }
         };
-        // A rest may end where the drive jumps: the last value before counts.
+        // The last value before a jump counts.
         let after = (side == 0.0).then_some(interval.end + 1e-9);
         let mut values: Vec<_> = phases(interval).iter().chain(&after).map(value).collect();
         if list.len() == 1 {
-            // Past the end of a rest for ever it begins again.
             values.extend_from_within(..2);
         }
         for three in values.windows(3) {
@@ -162,7 +158,7 @@ fn the_margins_are_those_of_the_motion_looked_at() {
     assert!(kinds.iter().all(|n| *n >= 5), "{kinds:?}");
 }
 
-/// Every motion that the shapes and frictions here settle to, from this phase.
+/// Every motion that these shapes and frictions settle to, from this phase.
 fn settled(phi: f64) -> Vec<(String, Vec<Interval>)> {
     let mut all = Vec::new();
     for (name, shape, breaks) in SHAPES {
@@ -199,7 +195,6 @@ fn a_period_is_listed_once_from_where_it_is_said_to_begin() {
         if list.len() == 1 {
             continue;
         }
-        // Where it begins there is no better place: a rest before forward motion, a rest, w rising.
         let rank = |i: usize| match (list[(i + list.len() - 1) % list.len()].sign, list[i].sign) {
             (Sign::Rest, Sign::Positive) => 0,
             (Sign::Rest, _) => 1,
@@ -256,7 +251,6 @@ fn a_motion_grazes_where_it_just_touches_zero() {
     }
 }
 
-/// What is left to go of a motion that has been followed for long is not more than what is said to be uncertain.
 #[test]
 fn a_settled_motion_is_as_certain_as_it_says() {
     let drive = Drive::new(libm::sin, &[]).unwrap();
@@ -293,7 +287,6 @@ fn a_settled_motion_is_as_certain_as_it_says() {
     assert_eq!(found.uncertainty(), f64::INFINITY);
 }
 
-/// How many periods plain following takes is counted by plain following.
 #[test]
 fn the_periods_to_the_large_time_motion_are_those_that_it_takes() {
     let mut kinds = [0; 2];
@@ -318,7 +311,6 @@ fn the_periods_to_the_large_time_motion_are_those_that_it_takes() {
                         break;
                     }
                 }
-                // A count where nothing was accelerated; an estimate from the rate at the end, where it was.
                 let told = found.periods().plain.unwrap();
                 let room = 2.max(counted / 5);
                 assert!(

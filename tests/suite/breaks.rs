@@ -5,17 +5,14 @@ use serde_json::{Value, json, to_value};
 use slipbook::breaks::{TOPICS, answer, breaks, claims, made};
 use std::collections::BTreeMap;
 
-/// The JSON behind its length.
 fn read(bytes: &[u8]) -> Value {
     let (length, json) = bytes.split_at(4);
     let length = u32::from_le_bytes(length.try_into().unwrap());
     serde_json::from_slice(&json[..length as usize]).unwrap()
 }
 
-/// What to do if it is not.
 const REBUILD: &str = "run `book/breaks/rebuild`, which adds the target wasm32-unknown-unknown to the toolchain, and commit book/theme/breaks.wasm";
 
-/// Of every claim its words, the names of its trials, and each formula in each way in which it can be broken, with its values.
 #[test]
 fn the_module_in_the_page_is_made_of_these_formulas_and_trials() {
     let mut page = Page::open(include_bytes!("../../book/theme/breaks.wasm"));
@@ -48,7 +45,6 @@ fn the_module_in_the_page_is_made_of_these_formulas_and_trials() {
     );
 }
 
-/// The first place at which they differ by more than the last digits of a number.
 fn difference(was: &Value, now: &Value) -> Option<String> {
     let all = |value: &Value| -> Vec<Value> {
         match value {
@@ -68,7 +64,7 @@ fn difference(was: &Value, now: &Value) -> Option<String> {
     }
 }
 
-/// What the trials say takes long in it: of one claim of each topic, that with the fewest comparisons.
+/// With the fewest comparisons of each topic: it takes long.
 #[test]
 fn the_module_in_the_page_gives_the_answers_of_the_crate() {
     let mut page = Page::open(include_bytes!("../../book/theme/breaks.wasm"));
@@ -108,7 +104,6 @@ fn the_module_in_the_page_gives_the_answers_of_the_crate() {
     assert_eq!(beyond, Value::Null);
 }
 
-/// The verdicts, and of each trial whether it reads the formula and agrees: no words, and not the last digits of what is measured.
 fn outcomes(answer: &Value) -> Value {
     let trials = answer["trials"].as_array();
     let trials = trials.into_iter().flatten();

@@ -16,7 +16,7 @@ fn assert_near([x, y]: [f64; 2], [a, b]: [f64; 2], within: f64) {
     );
 }
 
-/// From the launch to rest, or for three times as long as the speed would last at the acceleration alone.
+/// Until rest, or for three times as long as the speed would last at the acceleration alone.
 #[test]
 fn the_velocity_is_shown_from_the_launch_to_its_end() {
     for (lambda, v0, theta0, accel) in [
@@ -42,7 +42,6 @@ fn the_velocity_is_shown_from_the_launch_to_its_end() {
         let last = at(end).solve().unwrap().best;
         assert_near(points[points.len() - 1], [last.vx, last.vy], 1e-6);
         assert_eq!(answer.best.stop_time.is_some(), lambda > 1.0);
-        // A moment after that is shown too.
         let later = at(end + 1.0).curve().unwrap().points;
         let then = at(end + 1.0).solve().unwrap().best;
         assert_near(later[later.len() - 1], [then.vx, then.vy], 1e-6);
@@ -69,13 +68,12 @@ fn the_slip_is_shown_from_the_start_to_its_end() {
         let end = answer.best.rolls_at.unwrap_or(3.0 * u0 / gamma);
         let last = at(end).solve().unwrap().best;
         assert_near(points[points.len() - 1], last.slip, 1e-6);
-        // In equal steps of time.
         let half = at(0.5 * end).solve().unwrap().best;
         assert_near(points[points.len() / 2], half.slip, 1e-9);
     }
 }
 
-/// Over two periods from φ = 0: from point to point w changes as h − λ₊ or h + λ₋ make it, or it rests.
+/// From point to point w changes as h − λ₊ or h + λ₋ make it, or it rests.
 fn obeys(curve: &Curve, h: impl Fn(f64) -> f64, plus: f64, minus: f64) {
     assert_eq!((curve.points[0][0], curve.points.len()), (0.0, 401));
     assert!((curve.points[400][0] - 2.0 * TAU).abs() < 1e-12);
@@ -91,7 +89,6 @@ fn obeys(curve: &Curve, h: impl Fn(f64) -> f64, plus: f64, minus: f64) {
         };
         moves += 1;
         let middle = (h(from + 1e-9) + 4.0 * h(0.5 * (from + to)) + h(to - 1e-9)) / 6.0;
-        // A jump of the drive within a step.
         let jump = (h(to - 1e-9) - h(from + 1e-9)).abs() > 0.5;
         assert!(
             jump || (next - w - (middle + rate) * step).abs() < 1e-6,
@@ -132,7 +129,6 @@ fn a_driven_motion_is_shown_for_two_periods() {
     }
 }
 
-/// Anisotropic friction the other way round makes the mirror image, half a period later.
 #[test]
 fn a_plane_that_is_rougher_forward_moves_as_one_that_is_rougher_backward_does() {
     for (q, lambda0) in [
@@ -186,7 +182,6 @@ fn the_boundary_is_compared_with_its_expansion_and_shown_as_it_is() {
         let answer = problem.solve().unwrap();
         let a = answer.best.a;
         assert_eq!(answer.by_motion.map(|m| m.a), Some(a));
-        // The expansion is for small α; with it there is something to compare.
         let formula = answer.by_formula.map(|f| f.a);
         assert_eq!(formula.is_some(), alpha <= 0.3, "α = {alpha}");
         let differs = formula.map(|f| (f - a).abs() / f.abs().max(a.abs()));
@@ -248,7 +243,6 @@ fn the_path_on_the_table_is_shown_until_rest_or_for_the_time_asked() {
     ));
 }
 
-/// The two ways of an answer differ by what is said, relative to the larger of the two.
 #[test]
 fn the_disagreement_of_an_answer_is_that_of_its_two_ways() {
     for lambda0 in [0.1, 0.3, 0.6, 0.8] {
@@ -269,7 +263,6 @@ fn the_disagreement_of_an_answer_is_that_of_its_two_ways() {
         ];
         let worst = worst.into_iter().fold(0.0, f64::max);
         assert_eq!(answer.disagreement, Some(worst));
-        // No more than rounding, so that the formula has all its digits.
         assert!(worst < 1e-9, "{lambda0}: {worst}");
         assert_eq!(answer.digits, Some(15));
     }

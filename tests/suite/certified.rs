@@ -16,13 +16,12 @@ use slipbook::validated::{
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 use trialbook::certified::{ball::Ball, error::CertifiedError, interval::Interval};
 
-/// The middle of the enclosure.
 fn certain(name: &str) -> f64 {
     let enclosure = PAPER.value(name).unwrap().enclosure.unwrap();
     enclosure.interval().unwrap().mid()
 }
 
-/// Where the slip under a sine ends that begins with rest, when the drive first exceeds the friction.
+/// Begun from rest, when the drive first exceeds the friction.
 fn slip_end(lambda: f64) -> f64 {
     let drive = Drive::new(libm::sin, &[]).unwrap();
     let friction = Friction::new(lambda, lambda).unwrap();
@@ -32,7 +31,6 @@ fn slip_end(lambda: f64) -> f64 {
     slips.next().unwrap().end
 }
 
-/// What is enclosed alone; a number that is computed beside its enclosure is compared with it elsewhere.
 #[test]
 fn every_certified_number_is_found_in_ordinary_numbers() {
     let other = [
@@ -57,7 +55,6 @@ fn every_certified_number_is_found_in_ordinary_numbers() {
     }
 }
 
-/// The least and the largest of the numbers.
 fn range(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let start = [f64::INFINITY, f64::NEG_INFINITY];
     numbers
@@ -83,7 +80,6 @@ fn a_ball_lies_inside_another_if_both_of_its_ends_do() {
     }
 }
 
-/// What is proved of all starts in a box holds for each of them, and says little more than they do.
 #[test]
 fn the_radius_at_rest_of_a_box_of_starts_is_that_of_its_motions() {
     type Place = fn(f64) -> Start;
@@ -98,7 +94,7 @@ fn the_radius_at_rest_of_a_box_of_starts_is_that_of_its_motions() {
         xi: 0.0,
         zeta: u,
     };
-    // A launch along the axis has two equal components; as a box these are any two, and the radius is that much wider.
+    // Two equal components are any two in a box, and the radius is that much wider.
     let cases: [(Put, Place, f64); 2] =
         [(fate_put_down, down, 2.0), (fate_launched, launched, 8.0)];
     for (enclosed, start, wider) in cases {

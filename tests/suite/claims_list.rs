@@ -1,6 +1,6 @@
 //! The claims as data: that their files can be read, and that what they say is whole.
 //!
-//! Every test gathers all offences before it fails, each with the id of its claim.
+//! Every test gathers all offences before it fails.
 
 use slipbook::claims::PAPER;
 use slipbook::edition::EDITION;
@@ -8,12 +8,10 @@ use slipbook::evidence::Kind;
 use trialbook::notation::{plain_formula, plain_words};
 use trialbook::trials::Claim;
 
-/// The claims without their topics.
 fn all() -> impl Iterator<Item = &'static Claim> {
     PAPER.claims().map(|(_, claim)| claim)
 }
 
-/// Fails with all offences, one a line.
 fn none(offences: Vec<String>) {
     let count = offences.len();
     assert!(count == 0, "{count} offences:\n{}", offences.join("\n"));
@@ -28,8 +26,8 @@ fn the_equations_stand_in_their_order() {
     );
 }
 
-/// Each claim by its id and section, and of an equation a number for the signs that it prints, whatever braces, blanks and sizes
-/// of brackets stand around them. The paper does not change, and neither do these lines: nothing writes them.
+/// Each equation has a number for the signs that it prints, without braces, blanks and sizes of brackets. Nothing writes these
+/// lines.
 #[test]
 fn what_is_printed_is_what_the_paper_prints() {
     let line = |claim: &Claim| {
@@ -70,7 +68,6 @@ fn what_is_printed_is_what_the_paper_prints() {
     none(gone.chain(new).collect());
 }
 
-/// What nothing else tells of a claim that is gone.
 #[test]
 fn no_text_names_a_claim_that_is_gone() {
     let mut offences = Vec::new();
@@ -123,13 +120,12 @@ fn kinds_fit_the_rows() {
     );
 }
 
-/// The formulas between `$…$`; `None` if a `$` has no partner.
+/// Between `$…$`; `None` if a `$` has no partner.
 fn inline(text: &str) -> Option<Vec<&str>> {
     let parts: Vec<_> = text.split('$').collect();
     (parts.len() % 2 == 1).then(|| parts.into_iter().skip(1).step_by(2).collect())
 }
 
-/// All formulas of a row, those of its conditions included; `None` if a `$` has no partner.
 fn formulas(claim: &Claim) -> Option<Vec<&'static str>> {
     let mut formulas = match claim.equation {
         Some(_) => vec![claim.latex],
@@ -195,8 +191,7 @@ fn formulas_render() {
 
 #[test]
 fn dependencies_have_no_cycle() {
-    // Drop whatever depends on nothing left, or has nothing left that depends on it, until nothing
-    // more can be dropped: what stays lies on a cycle or between two.
+    // Drop whatever depends on nothing left, or on which nothing left depends.
     let mut left: Vec<&Claim> = all().collect();
     loop {
         let stays = |c: &&Claim| {

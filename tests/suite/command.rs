@@ -11,7 +11,6 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use trialbook::data::text;
 
-/// The words of a line, as a shell has them.
 fn words(line: &str) -> Vec<&str> {
     let parts = line.split('\'').enumerate();
     let words = parts.flat_map(|(i, part)| match i % 2 {
@@ -21,7 +20,6 @@ fn words(line: &str) -> Vec<&str> {
     words.collect()
 }
 
-/// The command with the words of a line.
 fn asked(line: &str) -> Output {
     slipbook(&words(line))
 }
@@ -30,7 +28,6 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-/// The JSON that a command writes, after a success.
 fn json(line: &str) -> Value {
     let output = asked(&format!("{line} --json"));
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
@@ -42,7 +39,6 @@ fn json(line: &str) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
-/// Whether an error is a misprint or inherited is seen from the neighbours, which are tried too.
 #[test]
 fn what_is_wrong_has_the_same_verdict_alone() {
     let record = text!("snapshots/verdicts.snap").as_str();
@@ -84,7 +80,6 @@ fn a_book_is_not_written_where_nobody_looks_for_it() {
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
-/// What the rest of the line leaves idle is not taken in silence.
 #[test]
 fn no_option_is_given_in_vain() {
     let cases = include_str!("command/vain.txt").lines();
@@ -103,7 +98,6 @@ fn no_option_is_given_in_vain() {
     }
 }
 
-/// And the scene that is named is one.
 #[test]
 fn what_solve_has_lost_a_scene_answers() {
     let problems = "constant sinusoidal pulse anisotropic sphere turntable turntable-boundary";
@@ -145,7 +139,6 @@ fn a_plot_is_a_file_that_is_replaced_whole() {
     }
     let nowhere = plot(&folder.path().join("none/path.svg"));
     assert!(text(&nowhere.stderr).contains("there is no such folder"));
-    // The folder of this test has such a name itself.
     let own = |complaint: &str| complaint.replace(folder.path().to_str().unwrap(), "");
     for (nowhere, why) in [
         (file.join("below.svg"), "below.svg"),
@@ -188,7 +181,6 @@ fn a_plot_follows_a_link_keeps_the_rights_of_a_file_and_replaces_nothing_else() 
             .unwrap()
             .starts_with("<svg")
     );
-    // A new one has the rights of any new file.
     fs::write(place("any"), "").unwrap();
     assert_eq!(plot("new.svg").0, Some(0));
     let mode = |name: &str| place(name).metadata().unwrap().mode();
@@ -222,7 +214,6 @@ fn every_command_has_help_with_an_example() {
         assert_eq!(output.status.code(), Some(0), "{command}");
         let help = text(&output.stdout);
         assert!(help.contains(&format!("slipbook {command}")), "{command}");
-        // What is its own comes first, what all take last.
         let common = help.find("      --json").unwrap();
         assert!(help[common..].find(" <RANGE>").is_none(), "{help}");
     }
@@ -264,7 +255,6 @@ fn the_manual_and_the_schema_come_from_what_they_describe() {
     assert!(answers.len() > 12, "{answers:?}");
 }
 
-/// The counts of errors on the first page and in the letter, and what the register says of each.
 #[test]
 fn errors_are_counted_alike_everywhere() {
     let read = |file: &str| fs::read_to_string(crate::BOOK.join(file)).unwrap();
@@ -290,7 +280,7 @@ fn errors_are_counted_alike_everywhere() {
     );
 }
 
-/// A file system without room: no file may grow beyond a few kilobytes.
+/// No file may grow beyond a few kilobytes.
 #[cfg(unix)]
 #[test]
 fn without_room_the_earlier_book_stays() {
@@ -311,7 +301,6 @@ fn without_room_the_earlier_book_stays() {
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
-/// A place for a book with an earlier one in it.
 fn earlier_book(folder: &Path) -> PathBuf {
     let out = folder.join("book");
     fs::create_dir(&out).unwrap();
@@ -320,7 +309,7 @@ fn earlier_book(folder: &Path) -> PathBuf {
     out
 }
 
-/// The main job, twice at once: both print the ledger, one whole book is left.
+/// Twice at once: one whole book is left.
 #[test]
 fn the_main_job_prints_the_ledger_and_writes_the_book() {
     let folder = tempfile::tempdir().unwrap();
@@ -348,7 +337,6 @@ fn the_main_job_prints_the_ledger_and_writes_the_book() {
     }
     let page = fs::read_to_string(out.join("index.html")).unwrap();
     assert!(page.contains("Slipbook"));
-    // What the record names is there.
     let record = include_str!("../../codecheck.yml");
     let files = record
         .lines()
@@ -489,7 +477,7 @@ fn the_parts_of_a_grid_make_the_whole() {
     }
 }
 
-/// Ctrl-C is a signal only where there are signals.
+/// Only where there are signals.
 #[cfg(unix)]
 #[test]
 fn long_work_stops_in_good_order() {
@@ -498,7 +486,6 @@ fn long_work_stops_in_good_order() {
     let ensemble = "ensemble --rho 0.5 --p 0:1.5:100000 --psi=-3:3:100000";
     let solve = "solve constant --lambda 0.5 --v0 1 --theta0 1 --time 0:2:1000000";
     let boundary = "solve turntable-boundary --alpha 0.1:1:100 --psi 0:3:100";
-    // The whole, and a part that is not the last.
     for (line, part, list, of, total) in [
         (ensemble, "", "ends", 10_000_000_000_u64, 10_000_000_000_u64),
         (
@@ -544,7 +531,6 @@ fn long_work_stops_in_good_order() {
     }
 }
 
-/// What a line is answered that is interrupted after half a second.
 #[cfg(unix)]
 fn interrupted(line: &str) -> Output {
     let child = Command::new(env!("CARGO_BIN_EXE_slipbook"))
@@ -562,7 +548,6 @@ fn interrupted(line: &str) -> Output {
     output
 }
 
-/// What tries claims ends with those that it has tried.
 #[cfg(unix)]
 #[test]
 fn trials_stop_in_good_order() {
@@ -580,7 +565,6 @@ fn trials_stop_in_good_order() {
     assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0);
 }
 
-/// Of many scenes the rows are there that were asked; of a value that is looked for nothing.
 #[cfg(unix)]
 #[test]
 fn scenes_stop_in_good_order() {
@@ -595,14 +579,13 @@ fn scenes_stop_in_good_order() {
 
 #[test]
 fn a_claim_is_tried_in_depth() {
-    // An error that is inherited is one at every depth, whether or not what it comes from is asked for.
+    // Whether or not what it comes from is asked for.
     let output = asked("verify eq-83 --depth 2");
     let said = text(&output.stdout);
     assert!(
         said.contains("1 of 1 verdicts as recorded, in 2 rounds"),
         "{said}"
     );
-    // Many jobs with a part each are one run.
     let folder = tempfile::tempdir().unwrap();
     let asked = ["verify", "eq-16", "eq-20", "--depth", "5"];
     let with = |more: &[&str]| slipbook(&[&asked[..], more].concat());
@@ -642,7 +625,6 @@ fn mistakes_are_put_to_the_trials_of_a_claim() {
     );
 }
 
-/// A table for programs and the JSON of the same question have the same under the same names; of a list the table has the length.
 #[test]
 fn a_table_and_its_json_say_the_same() {
     for (arguments, rows) in [
@@ -689,7 +671,6 @@ fn a_table_and_its_json_say_the_same() {
     }
 }
 
-/// The rounds of a deep run are all at other points, however many there are.
 #[test]
 fn each_round_has_points_of_its_own() {
     let mut rounds: Vec<_> = [0, 1, 2, 3, 4, 5, 8, 16, 64, 100]
@@ -704,7 +685,6 @@ fn each_round_has_points_of_its_own() {
     assert_eq!(rounds.len(), all);
 }
 
-/// What the pages tell to type for an ensemble, with fewer particles.
 #[test]
 fn ensembles_on_the_pages_run() {
     let mut count = 0;

@@ -1,5 +1,5 @@
-//! What is claimed is claimed of something: for each claim a point within what it is stated for, at which all formulas of the paper and of
-//! the corrections that it tries have values, by enclosure. It is given in sixteenths, but for the phases that follow from λ₀.
+//! For each claim a point within what it is stated for, at which all formulas that it tries have values, by enclosure: in
+//! sixteenths, but for the phases that follow from λ₀.
 
 use slipbook::claims::{PAPER, formulas::formulas};
 use slipbook::numerics::roots::root;
@@ -8,10 +8,9 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use trialbook::certified::interval::Interval;
 
-/// The range of a symbol in a claim: as stated, else the open unit interval, where the paper's ratios lie.
+/// As stated, else the open unit interval, where the paper's ratios lie.
 fn range(claim: &str, letter: &str) -> [f64; 2] {
     match (claim, letter) {
-        // λ_c is 0.537.
         ("eq-36", "λ₀") => return [0.54, 1.0],
         ("eq-41", "λ₀") => return [0.0, 0.53],
         _ => {}
@@ -24,13 +23,12 @@ fn range(claim: &str, letter: &str) -> [f64; 2] {
     })
 }
 
-/// The sixteenths strictly within a range.
 fn sixteenths([low, high]: [f64; 2]) -> Vec<f64> {
     let all = (-64..=96).map(|n| f64::from(n) / 16.0);
     all.filter(|x| low < *x && *x < high).collect()
 }
 
-/// The `n`th choice of a value: another one for each symbol. The phases are those of the `n`th λ₀.
+/// Another one for each symbol. The phases are those of the `n`th λ₀.
 fn value(claim: &str, letter: &str, n: usize) -> f64 {
     let lambda0 = || value(claim, "λ₀", n);
     match letter {
@@ -51,7 +49,7 @@ fn value(claim: &str, letter: &str, n: usize) -> f64 {
     among[place % among.len()]
 }
 
-/// Whether the point is within what the claim is stated for: its own inequality, or a condition between two symbols.
+/// By the claim's own inequality, or a condition between two symbols.
 fn is_of_domain(claim: &str, n: usize) -> bool {
     let value = |letter| value(claim, letter, n);
     let of = PAPER.claims().find(|(_, of)| of.id == claim);
@@ -72,7 +70,6 @@ fn is_of_domain(claim: &str, n: usize) -> bool {
     }
 }
 
-/// Whether all components are numbers there.
 fn has_value(claim: &str, formula: &Formula<Interval>, n: usize) -> bool {
     let letters = formula.symbols.iter();
     let point: Vec<_> = letters

@@ -1,5 +1,5 @@
-//! Bad input for the periodic drive, as a user may give it: a typed error that names the parameter and its
-//! range, or a result that says that the motion drifts. Never a panic, never a hang.
+//! Bad input for the periodic drive: a typed error that names the parameter and its range, or a result that says that the motion
+//! drifts. Never a panic, never a hang.
 
 use slipbook::motion::drive::{Drive, DriveError, DriveState, Friction, Outcome};
 use slipbook::numerics::piecewise::PiecewiseError;
@@ -107,7 +107,7 @@ fn a_drive_that_is_not_piecewise_smooth_is_refused_after_bounded_work() {
         asked.set(0);
         let guarded = |phi: f64| {
             asked.set(asked.get() + 1);
-            // A fit without end is ended here, and fails the test below.
+            // An endless fit is ended here, and fails the test below.
             if asked.get() > MOST { f64::NAN } else { h(phi) }
         };
         let error = Drive::new(guarded, &[]).expect_err("must be refused");

@@ -1,5 +1,4 @@
-//! All values and all points of all curves that the explorers hand out, against Newton's law in another form, another
-//! motion's, or a formula of the paper that holds.
+//! All that the explorers hand out, against Newton's law in another form, another motion, or a formula of the paper that holds.
 
 use fastrand::Rng;
 use slipbook::explorers::{Answer, answer};
@@ -11,16 +10,13 @@ use slipbook::motion::{
 use slipbook::paper;
 use std::f64::consts::{PI, SQRT_2, TAU};
 
-/// States asked for, of each explorer.
 const STATES: usize = 12;
-/// Pictures of a film, beside the first.
 const PICTURES: f64 = 480.0;
 
 fn put(number: usize, given: [f64; 4]) -> Answer {
     answer(number, given).unwrap_or_else(|error| panic!("{number} at {given:?}: {error}"))
 }
 
-/// A number in a range, in the steps of a slider.
 fn slid(from: f64, to: f64, generator: &mut Rng) -> f64 {
     from + (to - from) * f64::from(generator.u32(0..=200)) / 200.0
 }
@@ -38,8 +34,7 @@ fn near_both(found: [f64; 2], expected: [f64; 2], tolerance: f64, what: &str) {
     }
 }
 
-/// What is handed out as place is the sum of what is handed out as velocity, by Simpson's rule where the velocity keeps
-/// its sign.
+/// Places are the sum of velocities, by Simpson's rule where the velocity keeps its sign.
 #[track_caller]
 fn sums(places: &[f64], velocities: &[f64], step: f64, tolerance: f64, what: &str) {
     assert_eq!(places.len(), velocities.len());
@@ -97,7 +92,6 @@ fn a_throw_is_that_of_the_paper() {
         let [places, speeds, alike] = &film.curves[..] else {
             panic!("{what}: curves of the film")
         };
-        // On a plane at rest friction alone brakes, along the line of the start.
         for (i, place) in alike.iter().enumerate() {
             let t = (i as f64 * end / PICTURES).min(1.0 / lambda);
             let way = t - lambda * t * t / 2.0;
@@ -116,7 +110,6 @@ fn a_throw_is_that_of_the_paper() {
                 if of_film {
                     near(time(*v), i as f64 * end / PICTURES, 1e-6, &what);
                 }
-                // It keeps to its side of the axis.
                 assert!(v[1] * start >= 0.0, "{what}: {v:?}");
             }
         }
@@ -165,17 +158,15 @@ fn a_throw_is_that_of_the_paper() {
     }
 }
 
-/// A drive with its sum, and the sum of that.
 struct Shaken {
     h: Box<dyn Fn(f64) -> f64>,
     sum: Box<dyn Fn(f64) -> f64>,
     twice: Box<dyn Fn(f64) -> f64>,
-    /// How far what is looked at in steps may be off: where the drive jumps, the velocity has a corner.
+    /// Where the drive jumps, the velocity has a corner.
     corners: f64,
 }
 
 impl Shaken {
-    /// sin φ + a sin 3φ over its largest size.
     fn new(third: f64) -> Self {
         let plain = move |phi: f64| phi.sin() + third * (3.0 * phi).sin();
         let grid = (0..100_000).map(|i| plain(TAU * f64::from(i) / 1e5).abs());
@@ -188,7 +179,7 @@ impl Shaken {
         }
     }
 
-    /// Pulses that fill the share η of each half period; what they add up to is added up once more on a grid.
+    /// Their sum is added up once more on a grid.
     fn pulses(eta: f64) -> Self {
         const GRID: usize = 200_000;
         let end = eta * PI;
@@ -219,8 +210,7 @@ impl Shaken {
         }
     }
 
-    /// Newton's law between two states: what the drive gives and friction takes, where the velocity keeps its sign; where
-    /// it is at rest, friction can hold it.
+    /// Newton's law between two states where the velocity keeps its sign; at rest, friction can hold it.
     fn holds(&self, curve: &[[f64; 2]], friction: [f64; 2], what: &str) {
         let mut held = 0;
         for two in curve.windows(2) {
@@ -247,7 +237,6 @@ impl Shaken {
         assert!(10 * held > 8 * curve.len(), "{what}: {held}");
     }
 
-    /// The periodic motion by its intervals alone.
     fn periodic(&self, values: &[f64], curve: &[[f64; 2]], friction: [f64; 2], what: &str) {
         let [mean, largest, rest, count] = values[..4] else {
             panic!("{what}: {values:?}")
@@ -300,7 +289,6 @@ impl Shaken {
         }
     }
 
-    /// The film of the tray: its floor and the block on it.
     fn film(&self, film: &Answer, friction: [f64; 2], start: f64, what: &str) {
         let step = 4.0 * TAU / PICTURES;
         near(film.values[0], step, 1e-12, what);
@@ -318,7 +306,6 @@ impl Shaken {
         self.holds(&block, friction, what);
         let [place, velocity] = [places, velocities].map(|curve| column(curve, 1));
         sums(&place, &velocity, step, self.corners, what);
-        // The floor accelerates by the opposite of the inertial force.
         for (phi, (place, velocity)) in phases.zip(places.iter().zip(velocities)) {
             near(place[0], -(self.twice)(phi), 1e-6, what);
             near(velocity[0], -(self.sum)(phi), 1e-6, what);
@@ -362,7 +349,6 @@ fn a_block_on_a_tray_obeys_newton() {
             assert_eq!(curves[2].len(), 401);
             for (i, [phi, h]) in curves[2].iter().enumerate() {
                 near(*phi, 4.0 * TAU * i as f64 / 400.0, 1e-12, &what);
-                // A pulse begins and ends at once.
                 let beside = [-1e-9, 1e-9].map(|off| (shaken.h)(phi + off));
                 let off = beside.map(|one| (h - one).abs());
                 near(off[0].min(off[1]), 0.0, 1e-6, &what);
@@ -387,7 +373,7 @@ fn a_coin_moves_as_in_the_laboratory() {
         let [fate, sigma, tau, step] = values[..] else {
             panic!("{what}: {values:?}")
         };
-        // On the table it starts with (u, v); the laboratory adds the table's own velocity.
+        // The laboratory adds the table's own velocity.
         let start = State {
             t: 0.0,
             x: [rho, 0.0],
@@ -499,7 +485,7 @@ fn a_ball_is_pushed_and_turned_by_one_friction() {
                 !within(*phi) || still && phi.sin().abs() <= lambda + 1e-9,
                 "{what} at {phi}"
             );
-            // Friction gives the centre its share of what it does to the slip, and the ground the rest.
+            // Friction gives the centre its share of the slip's change.
             let centre = u + (1.0 - 1.0 / b) * (1.0 - phi.cos()) + (slip[0] - u) / b;
             near_both(curves[1][i], [*phi, centre], 1e-9, &what);
             if i > 0 && within(0.5 * (phi + phases[i - 1])) && phases[i - 1] >= 3.0 * TAU - 1e-9 {
@@ -585,7 +571,6 @@ fn a_block_across_the_stroke_is_that_of_the_ball() {
 fn a_lost_coin_goes_away_as_in_the_laboratory() {
     for rho in [0.9, 1.0, 1.1, 1.5, 2.0] {
         let curve = &put(10, [rho, 0.0, 0.0, 0.0]).curves[0];
-        // At rest in the laboratory.
         let start = State {
             t: 0.0,
             x: [rho, 0.0],
@@ -602,7 +587,7 @@ fn a_lost_coin_goes_away_as_in_the_laboratory() {
                 near(*ratio, seen, 1e-7 * seen, &what);
                 early += 1;
             } else {
-                // The paper's power, with the prefactor that is right; the start is forgotten as 1/τ.
+                // The start is forgotten as 1/τ.
                 let late = 1.0 / (3.0 * SQRT_2);
                 near(*ratio, late, 30.0 * late / tau, &what);
             }

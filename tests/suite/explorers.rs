@@ -1,5 +1,4 @@
-//! What the explorers show: the module in the pages gives the crate's own numbers, and these agree with what the claims
-//! found elsewhere.
+//! What the explorers show: the module in the pages gives the crate's own numbers, and these agree with the claims.
 
 use crate::Page;
 use slipbook::claims::{PAPER, anisotropic::simulated::Curves};
@@ -17,12 +16,11 @@ fn ask(page: &mut Page, number: u32, [a, b, c, d]: [f64; 4]) -> Vec<f64> {
     (1..=number(0) as usize).map(number).collect()
 }
 
-/// The module as a page runs it.
 fn page() -> Page {
     Page::open(include_bytes!("../../book/theme/explorers.wasm"))
 }
 
-/// Rebuild the module with `book/explorers/rebuild` where this fails.
+/// Rebuild with `book/explorers/rebuild` where this fails.
 #[test]
 fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
     let mut page = page();
@@ -93,14 +91,12 @@ fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
     }
 }
 
-/// What is told of a scene, in the module.
 fn told(page: &mut Page, question: &str) -> String {
     let bytes = page.tell(question);
     let length = u32::from_le_bytes(bytes[..4].try_into().unwrap()) as usize;
     String::from_utf8(bytes[4..][..length].to_vec()).unwrap()
 }
 
-/// A tray that is shaken for two seconds, as a recording.
 fn shaken() -> String {
     let row = |k: i32| {
         let t = f64::from(k) / 100.0;
@@ -167,7 +163,7 @@ fn the_module_tells_of_scenes_what_the_crate_tells() {
     }
 }
 
-/// Of many rows the least and the largest of each stretch are left.
+/// The least and the largest of each stretch are left.
 #[test]
 fn a_long_recording_is_drawn_together_and_keeps_its_peaks() {
     let row = |k: i32| {
@@ -224,7 +220,6 @@ fn what_has_no_answer_is_an_empty_list_in_the_module_and_a_named_error_in_the_cr
     }
 }
 
-/// At λ = 1 only the throw straight back stops.
 #[test]
 fn at_equal_strength_a_throw_stops_straight_back_alone() {
     let rests = |theta| constant::motion(1.0, theta).unwrap().values[0];
@@ -254,7 +249,6 @@ fn the_map_has_the_borders_that_the_claims_found() {
     }
 }
 
-/// With friction above λ_c, and never below it.
 #[test]
 fn what_slides_across_stops() {
     let stops = [0.7, 0.3].map(|lambda| plane::film(lambda, 0.5, 1.0).unwrap().values[1]);
@@ -267,7 +261,7 @@ fn a_coin_that_is_kept_has_no_late_times() {
     assert!(kept[0].last().is_none_or(|point| point[0] < 1.0));
 }
 
-/// To within the first correction at τ = 10⁴: of the square of A, whose power is the highest, 9√2/4 (ln τ)/τ and more.
+/// To within the first correction at τ = 10⁴: of the square of A, 9√2/4 (ln τ)/τ and more.
 #[test]
 fn a_coin_that_goes_away_comes_near_the_late_laws() {
     let value = |id| PAPER.value(id).unwrap().number().unwrap();
@@ -280,8 +274,8 @@ fn a_coin_that_goes_away_comes_near_the_late_laws() {
         let correction = 4.0 * 4.0 * LN_10 / 1e4;
         assert!((last / limit - 1.0).abs() < correction, "{last} {limit}");
     }
-    // It goes on by 40 points a decade: twice as many powers of ten outwards, and as far around as a logarithmic spiral, to
-    // within the first correction at τ = 10³.
+    // At 40 points a decade: twice as many powers of ten outwards, and as far around as a logarithmic spiral, to the first
+    // correction.
     let polar = |[x, y]: [f64; 2]| [x.hypot(y), y.atan2(x)];
     let [[r, angle], [far, on]] = [path.len() - 41, path.len() - 1].map(|i| polar(path[i]));
     let correction = 1.5 * SQRT_2 * 3.0 * LN_10 / 1e3;
@@ -290,7 +284,7 @@ fn a_coin_that_goes_away_comes_near_the_late_laws() {
     assert!((around - winding).abs() < correction, "{angle} {on}");
 }
 
-/// The coin that one is told to watch for the surface of a resting place: (145) with ψ free takes it to σ = 0.505.
+/// (145) with ψ free takes it to σ = 0.505.
 #[test]
 fn a_coin_rests_elsewhere_than_the_surface_with_psi_free_says() {
     let (rho, p) = (0.48_f64, 0.14);
@@ -302,40 +296,34 @@ fn a_coin_rests_elsewhere_than_the_surface_with_psi_free_says() {
     assert!(fate == 1.0 && sigma < 0.49, "{sigma}");
 }
 
-/// What the explorers ask the reader to guess.
 #[test]
 fn the_guesses_have_the_answers_that_are_given() {
-    // Straight across the pull at λ = 2: a third later than the 1/2 on a table at rest.
     let stop = constant::motion(2.0, 90.0).unwrap().values[1];
     assert!((stop / 0.5 - 4.0 / 3.0).abs() < 1e-12);
-    // The other block, on a table at rest, is by then where it has stopped: at 1/(2λ).
+    // On a table at rest it stops at 1/(2λ).
     let [x, y] = constant::film(2.0, 90.0).unwrap().curves[2]
         .last()
         .copied()
         .unwrap();
     assert!(x.abs() < 1e-12 && (y - 0.25).abs() < 1e-12);
-    // Across the stroke: the logarithm falls faster from period to period, so that no straight line is below it for ever.
     let depths = plane::film(0.3, 0.5, 1.0).unwrap().curves[2].clone();
     let depth = |period: usize| depths[period * (depths.len() - 1) / 4][1];
     assert!(depth(2) - depth(1) > 2.0 * (depth(1) - depth(0)) && depth(3) > 2.0 * depth(2));
-    // A sine with its third harmonic: as friction grows, rests come, go, and come again.
     let rests = |lambda: f64| {
         let values = periodic::motion(1.5, lambda, 1.0, 0.0).unwrap().values;
         values[4..].chunks(3).filter(|i| i[0] == 0.0).count()
     };
     assert_eq!([0.03, 0.08, 0.15, 0.4, 0.8].map(rests), [0, 2, 0, 2, 4]);
-    // Flicked against the turning, the coin rests; as hard along it, farther out, it does not.
+    // As hard along the turning, farther out, it does not rest.
     for (rho, v, rests) in [(0.5, -0.48, 1.0), (0.7, -0.48, 1.0), (0.7, 0.48, 0.0)] {
         assert_eq!(turntable::motion(rho, [0.0, v]).unwrap().values[0], rests);
     }
-    // Thrown from the axis, its path is bent with the turning in the laboratory and against it on the record.
     let thrown = turntable::motion(0.0, [1.5, 0.0]).unwrap().curves;
     let side = |curve: &[[f64; 2]]| curve[40][1];
     assert!(side(&thrown[0]) < -0.1 && side(&thrown[1]) > 0.1);
-    // Put down a hair apart, one coin rests and one does not.
     let put_down = |rho: f64| turntable::motion(rho, [0.0, -rho]).unwrap().values[0];
     assert_eq!([0.87, 0.88].map(put_down), [1.0, 0.0]);
-    // The drift is the larger the weaker friction is; forwards for two thirds of the time, where it is half as strong.
+    // Forwards for two thirds of the time where friction is half as strong.
     let drifts = [0.002, 0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99].map(|lambda| {
         let values = anisotropic::motion(2.0, lambda, -0.5).unwrap().values;
         let forwards = values[5..].chunks(3).filter(|i| i[0] == 1.0);
@@ -343,7 +331,6 @@ fn the_guesses_have_the_answers_that_are_given() {
     });
     assert!(drifts.windows(2).all(|two| two[0].0 > two[1].0));
     assert!((drifts[0].0 - 0.5).abs() < 1e-2 && (drifts[0].1 - 2.0 / 3.0).abs() < 1e-2);
-    // The ball that rolls goes 2/7 of the floor's way, with it.
     let film = sphere::film(1.5, 0.4, [-1.0, 0.0]).unwrap().curves;
     let late: Vec<_> = film[0].iter().skip(240).collect();
     let [first, ..] = late[..] else {
@@ -357,7 +344,6 @@ fn the_guesses_have_the_answers_that_are_given() {
             "{gone}"
         );
     }
-    // So these are the answers, in the order of the list.
     let script = text!("book/theme/explorers-list.js").as_str();
     let answers = script.split("options: ['").skip(1).map(|asked| {
         let (options, rest) = asked.split_once("'],").unwrap();
@@ -381,7 +367,7 @@ fn the_guesses_have_the_answers_that_are_given() {
     );
 }
 
-/// The numbers in what an explorer says, in their order. What the guesses are about, and what is answered, is computed above.
+/// What the guesses are about is computed above.
 #[test]
 fn the_numbers_around_an_explorer_are_those_of_the_claims() {
     let script = text!("book/theme/explorers-list.js").as_str();
@@ -412,24 +398,17 @@ fn the_numbers_around_an_explorer_are_those_of_the_claims() {
         rest = after;
     }
     let expected = [
-        // The block on the table that is pulled away.
         &["2"][..],
-        // The sign of rest.
         &["0"],
-        // The printed border, and where friction can hold.
         &["147", "1"],
-        // An escape, in how many times its time it goes once around.
         &[&turn],
-        // The block across the stroke; rest from λc, and for ever.
         &["0.3", &critical, "1"],
-        // A sine with its third harmonic, and two rests a period; the ball that lags behind the floor.
         &["1.5", "0.08", "2", "7"],
         &[&kappa, &hollow, &same],
     ];
     assert_eq!(said, expected.concat());
 }
 
-/// Without scripts the figure that follows takes the explorer's place.
 #[test]
 fn each_explorer_stands_before_a_figure() {
     for page in [

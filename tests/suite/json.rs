@@ -7,10 +7,8 @@ use trialbook::data::{Text, text};
 
 const PAGE: Text = text!("book/src/json.md");
 
-/// Paths of fields, each with the types that it has.
 type Shape = BTreeMap<String, BTreeSet<String>>;
 
-/// A section's commands and its table.
 struct Section {
     heading: &'static str,
     commands: Vec<&'static str>,
@@ -37,7 +35,6 @@ fn sections() -> Vec<Section> {
             described: part.lines().filter_map(row).collect(),
         }
     };
-    // Others have no fields.
     let sections = parts.map(section);
     sections
         .filter(|section| !section.described.is_empty())
@@ -133,7 +130,7 @@ fn every_field_is_described_and_every_described_field_is_written() {
             section.heading
         );
     }
-    // What several write is of each described type somewhere; whether it is null anywhere is left open.
+    // Whether it is null anywhere is left open.
     for (path, kinds) in common {
         let found = of_all.remove(path).unwrap_or_default();
         let mut missing = kinds.difference(&found);
@@ -144,10 +141,8 @@ fn every_field_is_described_and_every_described_field_is_written() {
     }
 }
 
-/// Digits and columns are counted from 1 and from 0, mistakes from 0.
 #[test]
 fn places_are_counted_as_the_page_says() {
-    // λc begins with 0.53702: four of the five digits are right.
     let found = written("find 0.53701 --json");
     let best = &found["matches"][0];
     assert_eq!(
@@ -167,7 +162,6 @@ fn places_are_counted_as_the_page_says() {
     assert!(own.as_array().unwrap().len() > 10);
 }
 
-/// Where regimes meet, borders are, and what moves turns round or stops.
 #[test]
 fn answers_at_special_points_have_the_types_described() {
     let sections = sections();

@@ -70,13 +70,11 @@ const fn place() -> &'static Location<'static> {
     Location::caller()
 }
 
-/// The one of these that is written so.
 fn named<T: Copy + Debug>(all: &[T], word: &str) -> Option<T> {
     let mut all = all.iter().copied();
     all.find(|one| format!("{one:?}").to_lowercase() == word)
 }
 
-/// A claim and what is tried of it.
 struct Case {
     kind: Kind,
     change: Option<Change>,
@@ -85,7 +83,6 @@ struct Case {
 }
 
 impl Case {
-    /// The case that is written so, as in `rules.txt`.
     fn read(text: &str) -> Self {
         let (claim, trials) = text.split_once(':').expect("a colon");
         let words = || claim.split_whitespace();
@@ -135,7 +132,6 @@ impl Case {
     }
 }
 
-/// The cases of `rules.txt`, and their verdicts.
 fn rules() -> impl Iterator<Item = (&'static str, Verdict)> {
     let lines = include_str!("judge/rules.txt").lines();
     let cases = lines.filter(|line| !line.is_empty() && !line.starts_with('#'));
@@ -155,8 +151,7 @@ fn each_case_has_its_verdict() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Whatever a trial speaks of, and whatever the others settle: without a number, or with too few points, it is none, and nothing is
-/// judged by it.
+/// Without a number, or with too few points.
 #[test]
 fn a_trial_that_brings_nothing_leaves_its_claim_undecided() {
     let settled = rules().filter(|(_, verdict)| *verdict != Verdict::Undecided);
@@ -218,7 +213,6 @@ fn a_misprint_from_which_an_error_is_inherited_is_more_than_that() {
     assert_eq!(misprint.verdict, Verdict::Misderived);
     assert!(misprint.ground.ends_with("its error passes to b"));
     assert_eq!(seen(Verdict::Confirmed, &heir).verdict, Verdict::Confirmed);
-    // What is wrong by itself inherits nothing.
     for other in [Verdict::Misprint, Verdict::Misderived, Verdict::Refuted] {
         let alone = seen(Verdict::Misprint, &[("b", other)]);
         assert_eq!(alone.verdict, Verdict::Misprint);
@@ -266,7 +260,6 @@ fn a_tolerance_ends_where_it_says() {
     let of = |worst| evidence(Route::Census, Subject::Printed, worst).outcome();
     assert_eq!(of(1e-12), Outcome::Agrees);
     assert_eq!(of(1e-12_f64.next_up()), Outcome::Disagrees);
-    // And what is just beyond it is counted.
     let tolerance = evidence(Route::Census, Subject::Printed, 0.0).tolerance;
     let trial = Trial::by(
         Route::Census,
@@ -317,7 +310,6 @@ fn a_root_at_an_end_is_that_end() {
     assert_eq!([at(2.0, 3.0), at(1.0, 2.0)], [2.0; 2]);
 }
 
-/// The verdicts that the page gives in its rules are those that the judge gives in these cases, in the same order.
 #[test]
 fn the_page_gives_the_rules_of_the_judge() {
     let page = text!("book/src/methods.md").as_str();
@@ -326,17 +318,14 @@ fn the_page_gives_the_rules_of_the_judge() {
     let rules = rules.split_whitespace().collect::<Vec<_>>().join(" ");
     let misprint = "sign : printed -integration corrected +integration +quadrature";
     let cases = [
-        // Without a trial.
         ":",
         // The step is right, what it starts from is not.
         ": printed -integration step +integration",
-        // It fails, and what replaces it is tried in one way alone.
         "sign : printed -integration corrected +integration",
-        // A sign, a larger change, words.
         misprint,
         "statement : printed -integration corrected +integration +quadrature",
         "property statement : printed -integration corrected +integration +quadrature",
-        // Under a condition: not without it, then on both sides.
+        // Not without the condition, then on both sides.
         "substance : within +integration +quadrature outside -integration",
         "substance : within +integration +quadrature outside +integration",
         "degenerate : within +integration +quadrature outside -integration excepted +integration",

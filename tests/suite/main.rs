@@ -1,5 +1,4 @@
-//! All that is tried besides the claims and the pages in a browser: one program, so that what it needs is built and linked
-//! once, and the claims are tried once.
+//! All that is tried besides the claims and the pages in a browser: one program, so that what it needs is built and linked once.
 
 mod attractors;
 mod breaks;
@@ -38,7 +37,6 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 use wasmi::{Engine, Instance, Linker, Module, Store, WasmParams};
 
-/// What many tests use: made once, or each of them says why it is not.
 struct Made<T>(LazyLock<Result<T, String>>);
 
 impl<T> Deref for Made<T> {
@@ -49,20 +47,17 @@ impl<T> Deref for Made<T> {
     }
 }
 
-/// All claims, tried.
 static LEDGER: Made<Ledger> = Made(LazyLock::new(|| {
     EDITION.check().map_err(|faults| faults.to_string())?;
     Ok(Ledger::try_all(&PAPER, |_| {}))
 }));
 
-/// The book, as the main job writes it.
 static BOOK: Made<PathBuf> = Made(LazyLock::new(|| {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
     let job = slipbook(&["--quiet", "--out", out.to_str().expect("a name")]);
     succeeded(&job).map(|()| out)
 }));
 
-/// What a command said that did not end with 0, and what to do.
 fn succeeded(output: &Output) -> Result<(), String> {
     let said = [&output.stdout, &output.stderr].map(|said| String::from_utf8_lossy(said));
     match output.status.code() {
@@ -75,7 +70,6 @@ fn succeeded(output: &Output) -> Result<(), String> {
     }
 }
 
-/// What the command answers where the recordings are.
 fn slipbook(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_slipbook"));
     let there = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
@@ -83,7 +77,6 @@ fn slipbook(arguments: &[&str]) -> Output {
     command.output().expect("it runs")
 }
 
-/// The snapshots in a folder, each by its name alone.
 fn snapshots(folder: &str) -> insta::Settings {
     let all = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
     let mut settings = insta::Settings::clone_current();
@@ -93,7 +86,7 @@ fn snapshots(folder: &str) -> insta::Settings {
     settings
 }
 
-/// The cells of a line of a table; one with a comma stands between quotation marks.
+/// One with a comma stands between quotation marks.
 fn cells(line: &str) -> Vec<String> {
     let mut quoted = false;
     let ends = |c| {
@@ -104,7 +97,6 @@ fn cells(line: &str) -> Vec<String> {
     cells.map(|cell| cell.replace('"', "")).collect()
 }
 
-/// A module of the book as a page runs it.
 struct Page {
     store: Store<()>,
     instance: Instance,
@@ -120,7 +112,7 @@ impl Page {
         Page { store, instance }
     }
 
-    /// The memory from where the answer stands to a question in words.
+    /// Asked in words.
     fn tell(&mut self, question: &str) -> &[u8] {
         let function = self.instance.get_typed_func(&self.store, "room").unwrap();
         let at: u32 = function
@@ -133,7 +125,6 @@ impl Page {
         self.call("tell", ())
     }
 
-    /// The memory from where the answer stands.
     fn call(&mut self, name: &str, given: impl WasmParams) -> &[u8] {
         let function = self.instance.get_typed_func(&self.store, name).unwrap();
         let at: u32 = function.call(&mut self.store, given).unwrap();

@@ -16,7 +16,6 @@ fn table() -> Table {
     }
 }
 
-/// A particle on the table, by the integration on the table and by that in the laboratory.
 fn both(start: &turntable::State, until: f64) -> [Path; 2] {
     let table = table();
     let outside = table.to_laboratory(start);
@@ -38,7 +37,6 @@ fn the_last_way_to_a_stop_is_that_of_a_constant_force() {
             let stop = *path.stops().last().unwrap();
             let place = path.resting_place().unwrap();
             let at = |before: f64| path.on_table(stop - before).unwrap();
-            // Along the way act friction and the centrifugal force.
             let slowing = |s: &turntable::State| {
                 let along = (s.x[0] * s.v[0] + s.x[1] * s.v[1]) / s.speed();
                 table().friction() - table().omega * table().omega * along
@@ -51,7 +49,7 @@ fn the_last_way_to_a_stop_is_that_of_a_constant_force() {
                 let time = late.t - early.t;
                 let lost = early.speed() - late.speed();
                 let expected = 0.5 * (slowing(&early) + slowing(&late)) * time;
-                // The direction turns a little on the way; and times are rounded.
+                // It turns a little, and times are rounded.
                 let close = |a: f64, b: f64| (a - b).abs() < 3e-3 * b.abs() + 1e-14;
                 assert!(
                     close(lost, expected),
@@ -144,7 +142,7 @@ fn a_table_beyond_its_range_is_refused_by_name() {
     assert!(still.check().is_ok());
 }
 
-/// Without friction the velocity is known: at every time, and so the time at which it has a given direction.
+/// Without friction the velocity is known at every time.
 #[test]
 fn a_velocity_has_a_direction_when_it_first_points_there() {
     let start = State {
@@ -155,7 +153,6 @@ fn a_velocity_has_a_direction_when_it_first_points_there() {
     let free = run(&Plane::constant([-1.0, 0.0]), 0.0, start, 8.0).unwrap();
     for angle in [2.5_f64, 2.0, 1.5, 1.0, 0.3, 0.1] {
         let n = [3.0 * libm::cos(angle), 3.0 * libm::sin(angle)];
-        // v = (−1 + (t − 2), 1/2).
         let expected = 2.0 + 1.0 + 0.5 * n[0] / n[1];
         let found = free.first_along(n).unwrap();
         if (2.0..=8.0).contains(&expected) {
@@ -173,7 +170,6 @@ fn a_velocity_has_a_direction_when_it_first_points_there() {
         assert_eq!(free.first_along([-n[0], -n[1]]).unwrap(), None);
     }
     assert_eq!(free.first_along([-2.0, 1.0]).unwrap().unwrap().t, 2.0);
-    // From rest, and back again: it sets out at once, and turns round at 2 π.
     let start = State {
         t: 0.0,
         v: [0.0; 2],
@@ -199,7 +195,7 @@ fn a_velocity_has_a_direction_when_it_first_points_there() {
     );
 }
 
-/// From rest, under a pull that is a number at all times: the place or the velocity is one for some of the time only.
+/// The place or the velocity is a number for some of the time only.
 #[test]
 fn a_motion_that_leaves_the_numbers_is_an_error() {
     let beyond = |error| {

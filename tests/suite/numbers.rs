@@ -1,4 +1,4 @@
-//! The numbers of the cases by hand, worked out once more with paper and pencil; the search among the known numbers.
+//! The numbers of the cases by hand, worked out once more; the search among the known numbers.
 
 use crate::prose::pencil;
 use slipbook::claims::{PAPER, values::search};
@@ -6,7 +6,7 @@ use slipbook::numerics::expression::expression;
 use std::collections::BTreeSet;
 use trialbook::trials::by_hand::Numbers;
 
-/// Of the numbers found: name, how many digits are right, the first wrong one and where it stands.
+/// Name, how many digits are right, the first wrong one and where it stands.
 fn found(number: &str) -> Vec<(&'static str, usize, Option<usize>, Option<usize>)> {
     let all = search(PAPER.values(), number).unwrap();
     all.iter()
@@ -16,7 +16,6 @@ fn found(number: &str) -> Vec<(&'static str, usize, Option<usize>, Option<usize>
 
 #[test]
 fn a_number_is_found_by_its_digits_sign_and_size() {
-    // λ_c = 0.5370292721…
     for (number, right) in [
         ("0.537", 3),
         ("0.5370", 4),
@@ -27,22 +26,18 @@ fn a_number_is_found_by_its_digits_sign_and_size() {
     ] {
         assert_eq!(found(number), [("lambda-c", right, None, None)], "{number}");
     }
-    // Rounded up: the last digit is one more.
     assert_eq!(found("0.53703"), [("lambda-c", 5, None, None)]);
     assert_eq!(found("0.5370293"), [("lambda-c", 7, None, None)]);
     assert_eq!(found("0.07856742013"), [("s", 10, None, None)]);
-    // Not rounded but wrong: from the first wrong digit on, where it stands.
     assert_eq!(found("0.53709"), [("lambda-c", 4, Some(5), Some(6))]);
     // Two right digits are too few.
     assert!(found("0.53802927").is_empty());
     assert_eq!(found("5.3712e-1"), [("lambda-c", 3, Some(4), Some(4))]);
-    // Another sign or size is another number.
     for other in ["-0.537029", "5.37029", "0.0537029", "537.029", "0.537029e1"] {
         assert!(found(other).is_empty(), "{other}");
     }
-    // Digits beyond those that are known are neither right nor wrong.
     assert_eq!(found("0.537029272149999")[0].0, "lambda-c");
-    // A number with few digits may belong to several; one digit has to be all of it.
+    // One digit has to be all of it.
     assert!(found("0.22").len() > 1);
     assert!(found("0.2").is_empty() && found("1").is_empty());
     assert_eq!(found("0.5"), [("boundary-slope", 1, None, None)]);
@@ -93,7 +88,7 @@ fn every_value_has_its_digits() {
             );
         }
 
-        // As many digits as are known, cut off; nines may be rounded up if there are two of them or more.
+        // Cut off; nines may be rounded up if there are two of them or more.
         let digits = value.digits().unwrap();
         let significant = digits.trim_start_matches(['-', '0', '.']).replace('.', "");
         assert_eq!(significant.len(), value.known(), "{} {digits}", value.id);

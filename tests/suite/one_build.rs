@@ -4,7 +4,6 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::process::Command;
 
-/// What these commands of cargo compile: package, target, mode, features and settings of each unit.
 fn units(arguments: &[&str]) -> BTreeSet<String> {
     let mut cargo = Command::new(env!("CARGO"));
     cargo

@@ -30,7 +30,6 @@ fn every_task_is_a_file_with_a_scene_and_an_answer() {
     let list = read(&out, "exam.json");
     assert_eq!(list["files"], Value::from(files.clone()));
     let page = fs::read_to_string(out.join("README.md")).unwrap();
-    // All of the words, questions and fields are explained.
     let told = |name: &str| assert!(page.contains(&format!("`{name}`")), "{name}");
     let mut cells = 0;
     for (id, name) in ids.iter().zip(files) {
@@ -66,7 +65,6 @@ fn every_task_is_a_file_with_a_scene_and_an_answer() {
         }
     }
     assert!(cells > 100, "{cells}");
-    // A number of the answer by the command itself, from the file.
     let creep = out.join("slip-time.json");
     let output = slipbook(&["scene", creep.to_str().unwrap(), "--json"]);
     assert_eq!(succeeded(&output), Ok(()));
@@ -81,7 +79,6 @@ fn what_is_not_ours_stays_and_what_is_goes_as_a_whole() {
     let again = slipbook(&["exam", "--package", out.to_str().unwrap()]);
     assert_eq!(succeeded(&again), Ok(()));
     assert!(!out.join("old.json").exists() && out.join("exam.json").exists());
-    // Nor is a book.
     for file in ["thesis", ".slipbook"] {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join(file), "").unwrap();
@@ -124,7 +121,7 @@ fn the_example_grades_a_block_in_python() {
     };
     let [coarse, fine] = ["0.01", "0.001"].map(graded);
     assert!(fine.len() == coarse.len() && fine.len() > 40);
-    // Such a block holds, and stops the nearer the smaller its steps are.
+    // It holds, and stops the nearer the smaller its steps are.
     for marks in [&coarse, &fine] {
         assert_eq!(worst(marks, "creep"), 0.0);
     }

@@ -1,4 +1,4 @@
-//! A verdict in the book's prose stands in a placeholder; and the letters hold what fails. Numbers in prose: `tests/prose`.
+//! A verdict in the book's prose stands in a placeholder; and the letters hold what fails.
 
 use crate::{BOOK, LEDGER};
 use slipbook::book;
@@ -10,10 +10,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use trialbook::notation::{Piece, pieces, plain_formula, plain_words};
 
-/// Pages that explain what verdicts are, and so name them.
+/// They explain what verdicts are.
 const ON_VERDICTS: [&str; 5] = ["methods", "adding", "own", "errata", "map"];
 
-/// A text without what stands between two marks.
 fn without(text: &str, open: &str, close: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
@@ -47,7 +46,6 @@ fn the_letters_can_be_sent() {
     assert!(!latex.contains("$$") && latex.matches('$').count() % 2 == 0);
 }
 
-/// It names all that has to be changed, and nothing else.
 #[test]
 fn the_letter_names_every_error() {
     let links = PAPER.letter.replace("{{right ", "](#");
@@ -69,7 +67,7 @@ fn the_errata_take_nothing_for_its_opposite() {
             assert!(erratum.new.contains(correction.latex), "{}", erratum.id);
         }
     }
-    // The decay across the drive, region II, escape, the boundary of rest; and the factors of (82) and (106).
+    // The decay across the drive, region II, escape, the boundary of rest; the factors of (82) and (106).
     assert_eq!(LEDGER.weights(), [4, 2]);
 }
 
@@ -85,7 +83,7 @@ fn no_page_passes_a_verdict_of_its_own() {
     }
 }
 
-/// True for a Greek letter, a small digit above or below the line, and other characters of formulas.
+/// Greek, a small digit above or below the line, and the like.
 fn mathematical(c: char) -> bool {
     "²³¹½∂Σ√∞∫ᵏ".contains(c)
         || matches!(u32::from(c), 0x300..=0x3ff | 0x1d62..=0x1d6a | 0x2070..=0x209f | 0x1d400..=0x1d7ff)
@@ -126,7 +124,6 @@ fn no_formula_of_a_trial_stands_bare() {
     assert!(bare_ones.is_empty(), "{bare_ones:#?}");
 }
 
-/// Each begins as a sentence does, and no formula breaks off before a sign.
 #[test]
 fn steps_of_proofs_are_sentences() {
     let of = |e: &Evidence| {
@@ -166,12 +163,10 @@ fn what_answers_to_words_is_there() {
     }
 }
 
-/// How often each character stands in a text, less how often in another.
 fn more(new: &str, old: &str) -> BTreeMap<char, i64> {
     let mut more = BTreeMap::new();
     for (text, one) in [(new, 1), (old, -1)] {
         for c in text.chars().filter(|c| !c.is_whitespace()) {
-            // A small digit is a digit.
             let small = "₀₁₂₃₄₅₆₇₈₉".chars().position(|digit| digit == c);
             let c = small
                 .and_then(|n| char::from_digit(n as u32, 10))
@@ -182,7 +177,7 @@ fn more(new: &str, old: &str) -> BTreeMap<char, i64> {
     more
 }
 
-/// What the corrected form has more than the printed one is, by and large, what the correction has more.
+/// By and large, by what characters each has more.
 #[test]
 fn a_box_shows_each_form_in_its_place() {
     let (mut boxes, mut failures) = (0, Vec::new());
@@ -219,7 +214,7 @@ fn a_box_shows_each_form_in_its_place() {
     assert!(failures.is_empty() && boxes > 20, "{boxes} {failures:#?}");
 }
 
-/// Whatever a proof rests on can be read: a citation leads to a box, or to the page of lemmas, whose own lead on.
+/// A citation leads to a box, or to the page of lemmas, whose own lead on.
 #[test]
 fn every_proof_that_is_cited_stands_somewhere() {
     for page in ["rest", "escape", "anisotropic", "lemmas"] {

@@ -56,7 +56,6 @@ fn the_picture_is_fig_1() {
     settings.bind(|| insta::assert_binary_snapshot!("portrait.svg", picture));
 }
 
-/// Cargo.toml, CITATION.cff and codemeta.json say the same of the crate.
 #[test]
 fn the_descriptions_of_the_crate_agree() {
     let meta: serde_json::Value =
@@ -104,7 +103,7 @@ fn the_descriptions_of_the_crate_agree() {
     );
 }
 
-/// What runs for this repository elsewhere is named by its hash, limited in time, and has no more rights than it needs.
+/// By hash, in time, with no more rights than needed.
 #[test]
 fn workflows_are_pinned_limited_and_have_few_rights() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(".github/workflows");
@@ -152,7 +151,6 @@ fn workflows_are_pinned_limited_and_have_few_rights() {
     assert!(files > 0 || packed);
 }
 
-/// What the sources need is in the package.
 #[test]
 fn the_package_has_all_sources() {
     let list = std::process::Command::new(env!("CARGO"))

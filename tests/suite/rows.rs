@@ -8,7 +8,6 @@ use slipbook::motion::drive::{Drive, DriveState, Friction, Interval, Sign};
 use slipbook::paper::sinusoidal;
 use std::f64::consts::{PI, TAU};
 
-/// Begin and end of the motion of one sign, within a turn of `near`.
 fn moved(intervals: &[Interval], sign: Sign, near: [f64; 2]) -> [f64; 2] {
     let found = intervals.iter().find(|i| i.sign == sign);
     found.map_or([near[1]; 2], |i| {
@@ -49,7 +48,6 @@ fn arcs_are_those_of_the_motion() {
                     );
                 }
             }
-            // The phases themselves, not only up to a turn.
             let wait = arcs.backward[0] - arcs.forward[1];
             assert!(
                 (0.0..PI).contains(&arcs.forward[0]),
@@ -116,7 +114,7 @@ fn the_end_of_a_slip_is_found_where_every_other_step_has_to_halve_the_bracket() 
 
 #[test]
 fn the_shortest_backward_slips_are_not_missed() {
-    // Forward motion ends shortly before the drive is strongest, and that is hardly strong enough.
+    // Shortly before the drive is strongest, and that is hardly strong enough.
     let mut row = Row::new(0.226).unwrap();
     assert!(row.forward[1] > 1.5 + PI && row.forward[1] < 1.5 * PI);
     let q = 0.9999 / 0.226;
@@ -129,7 +127,7 @@ fn the_shortest_backward_slips_are_not_missed() {
         (length - period.negative).abs() < 1e-10,
         "{length} {period:?}"
     );
-    // So short a slip lasts three times as long as the drive takes from λ₋ to its height.
+    // Three times as long as the drive takes from λ₋ to its height.
     let rise = libm::acos(0.9999);
     assert!((length / rise - 3.0).abs() < 1e-3, "{length} {rise}");
 }

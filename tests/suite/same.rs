@@ -6,7 +6,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// The book on one thread, and its ledger, against those that many have made in another process.
 #[test]
 fn one_thread_and_many_give_the_same_ledger_and_the_same_book() {
     let folder = tempfile::tempdir().unwrap();
@@ -26,16 +25,15 @@ fn one_thread_and_many_give_the_same_ledger_and_the_same_book() {
     assert!(differ.is_empty(), "{differ:?}");
     let said: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let many: Vec<_> = crate::LEDGER.entries.iter().map(Entry::row).collect();
-    // Both read from text, so that a number is rounded alike.
+    // So that a number is rounded alike.
     let many = serde_json::to_string(&many).unwrap();
     let many: serde_json::Value = serde_json::from_str(&many).unwrap();
     assert!(said["claims"] == many);
 }
 
-/// What these draw was recorded, and is tried in the deep tier.
+/// It is tried in the deep tier.
 const OF_RECORDS: [&str; 2] = ["digits", "rest-fates"];
 
-/// Where a figure is another one, its snapshot shows how.
 #[test]
 fn the_figures_are_the_recorded_ones() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/figures");
@@ -52,7 +50,7 @@ fn the_figures_are_the_recorded_ones() {
     assert_eq!(recorded, drawn.collect(), "snapshots of figures");
 }
 
-/// A figure's data as one can read them: what each column holds as a whole, then the first rows and some evenly between them and the last.
+/// Each column as a whole, then the first rows and some evenly between them and the last.
 fn thinned(csv: &str) -> String {
     let mut lines = csv.lines().map(crate::cells);
     let head = lines.next().unwrap();
@@ -74,7 +72,7 @@ fn thinned(csv: &str) -> String {
     text
 }
 
-/// The range and the mean of a column of numbers, which are rounded; of other columns how often each value stands there.
+/// Of numbers the range and the mean, rounded; of others how often each stands there.
 fn summary(column: Vec<&mut String>) -> String {
     let numbers = column.iter().filter(|cell| !cell.is_empty());
     let Ok(numbers) = numbers
@@ -101,7 +99,7 @@ fn summary(column: Vec<&mut String>) -> String {
     format!("{low} to {high}, mean {mean}")
 }
 
-/// Six significant digits; zero where nothing but rounding can be left beside numbers of this size.
+/// To six digits; zero where only rounding is left beside numbers of this size.
 fn rounded(x: f64, size: f64) -> String {
     if x.abs() < 1e-13 * size {
         return "0".into();

@@ -5,8 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The modules of the engine, which knows no paper, each with those that it may name. A formula is a tree too, so that what is seeded in
-/// it knows trees.
+/// It knows no paper. A formula is a tree too, so that what is seeded in it knows trees.
 const ENGINE: &str = "
     data:
     scalar:
@@ -42,7 +41,7 @@ const OF_THE_PAPER: &str = "
     edition: data evidence breaks claims corrections exam ledger figures motion notation numerics paper scene seeded solve symbols book commands plotting publishing trials
 ";
 
-/// What knows Newton's law, the row `motion` being all modules of its crate that have none of their own.
+/// The row `motion` is all modules of its crate that have none of their own.
 const OF_MOTION: &str = "
     motion: numerics scalar
     numerics: scalar
@@ -51,14 +50,12 @@ const OF_MOTION: &str = "
     exam: certified numerics validated
 ";
 
-/// The crates, by their sources.
 const CRATES: [(&str, &str); 3] = [
     ("trialbook/src", ENGINE),
     ("motion/src", OF_MOTION),
     ("src", OF_THE_PAPER),
 ];
 
-/// The modules of a table, each with the names behind it.
 fn rows(table: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
     table.lines().filter_map(|row| row.trim().split_once(':'))
 }
@@ -68,7 +65,7 @@ fn every_module_names_only_those_that_it_may() {
     let mut modules = BTreeSet::new();
     let mut offences = Vec::new();
     for (sources, table) in CRATES {
-        // What a crate below the others does not have, it cannot name. Other crates have preludes too.
+        // Other crates have preludes too.
         modules.extend(rows(table).map(|(module, _)| module));
         modules.remove("prelude");
         for (module, may) in rows(table) {
@@ -133,7 +130,7 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The source files of a module, `module.rs` and all below `module/`; of the motions what is in no other row.
+/// `module.rs` and all below `module/`; of the motions what is in no other row.
 fn sources_of(sources: &str, module: &str, table: &'static str) -> Vec<PathBuf> {
     let top = root().join(sources);
     let of = |path: &Path| -> Option<String> {
@@ -156,7 +153,6 @@ fn sources_of(sources: &str, module: &str, table: &'static str) -> Vec<PathBuf> 
     found
 }
 
-/// What stands between the first braces.
 fn body(function: &str) -> &str {
     let mut depth = 0;
     let end = function.char_indices().find(|(_, c)| {
@@ -166,7 +162,6 @@ fn body(function: &str) -> &str {
     end.map_or(function, |(end, _)| &function[..end])
 }
 
-/// The lines of the code, without comments.
 fn lines(code: &str) -> impl Iterator<Item = &str> {
     code.lines()
         .map(|line| line.split("//").next().unwrap_or_default())
@@ -176,7 +171,7 @@ fn words(code: &str) -> impl Iterator<Item = &str> {
     code.split(|c: char| !(c.is_alphanumeric() || c == '_'))
 }
 
-/// The modules that the code names: beside `::`, in a `use` declaration, or by a file.
+/// Beside `::`, in a `use` declaration, or by a file.
 fn modules_named<'m>(code: &str, modules: &BTreeSet<&'m str>) -> BTreeSet<&'m str> {
     let (mut named, mut declares) = (BTreeSet::new(), false);
     for line in lines(code) {
@@ -190,9 +185,9 @@ fn modules_named<'m>(code: &str, modules: &BTreeSet<&'m str>) -> BTreeSet<&'m st
     named
 }
 
-/// A function of [`Scalar`](trialbook::scalar::Scalar) has no way to ask how large a number is but `nearest`. Without that it is one
-/// analytic expression, and cannot be right at the points of its trials and wrong between them or beyond. What does distinguish
-/// cases is no such expression, and is named here; its cases are all tried.
+/// A function of [`Scalar`](trialbook::scalar::Scalar) can ask how large a number is by `nearest` alone. Without that it is one
+/// analytic expression, and cannot be right at the points of its trials and wrong between them. What distinguishes cases is named
+/// here.
 #[test]
 fn no_formula_is_another_one_elsewhere() {
     // A number that can be compared, and what follows from it.

@@ -6,7 +6,6 @@ use trialbook::theorems::record::AXIOMS;
 use trialbook::theorems::term::Term;
 use trialbook::theorems::{FORMULAS, Known, formulas};
 
-/// What has to be done where the record is not of the files.
 const AGAIN: &str = "run `make -C rocq`, and review the record";
 
 fn known() -> &'static Known {
@@ -61,7 +60,6 @@ fn the_record_is_of_these_files() {
     );
 }
 
-/// Two lists of axioms, and none of ours; nothing is left open.
 #[test]
 fn theorems_rest_on_what_is_said() {
     for accepted in &known().record {
@@ -74,7 +72,6 @@ fn theorems_rest_on_what_is_said() {
     }
 }
 
-/// A theorem of an equation speaks of its formula.
 #[test]
 fn a_theorem_speaks_of_its_own_formula() {
     let known = known();
@@ -98,7 +95,6 @@ fn a_theorem_speaks_of_its_own_formula() {
     }
 }
 
-/// What is said of every motion is said of one that there is.
 #[test]
 fn what_is_supposed_occurs() {
     let known = known();

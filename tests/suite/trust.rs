@@ -4,7 +4,7 @@ use slipbook::book::files_below;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A row of the page's table: the modules that it counts, if they are no part of another's, and the tests that it names.
+/// The modules that it counts, if they are no part of another's, and the tests that it names.
 struct Row {
     modules: Vec<String>,
     tests: Vec<String>,
@@ -43,7 +43,6 @@ fn each_part_is_tried_by_tests_that_exist() {
     }
 }
 
-/// Whatever a proof, a measurement or the judge is made of stands in the table.
 #[test]
 fn the_page_is_complete() {
     let rows = rows();

@@ -4,7 +4,7 @@ use slipbook::claims::formulas::formulas;
 use slipbook::seeded::{Formula, symbol};
 use slipbook::symbols::SYMBOLS;
 
-/// How a number with this unit grows when length, time and mass are counted in units that are smaller by these factors.
+/// When length, time and mass are counted in units that are smaller by these factors.
 fn growth(unit: &str, [length, time, mass]: [f64; 3]) -> Option<f64> {
     let product = |factors: &str| -> Option<f64> {
         let one = |factor: &str| {
@@ -29,7 +29,6 @@ fn growth(unit: &str, [length, time, mass]: [f64; 3]) -> Option<f64> {
     }
 }
 
-/// The units of a formula's arguments, one for each component; none where one has several.
 fn units(formula: &Formula<f64>) -> Option<Vec<&'static str>> {
     let module = formula.path.rsplit_once("::")?.0;
     let mut units = Vec::new();

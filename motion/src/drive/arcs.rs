@@ -1,7 +1,7 @@
-//! Following the motion: from piece to piece of h, from event to event.
+//! Following the motion from piece to piece of h.
 //!
-//! On a piece, h is monotone. So the size u = |w| of a moving particle is convex or concave there: it has at
-//! most one extremum, where h meets the friction's level, and its first zero can be bracketed for certain.
+//! On a piece, h is monotone. So the size u = |w| is convex or concave there: it has at most one extremum, where h meets the
+//! friction's level, and its first zero can be bracketed for certain.
 
 use super::{Drive, Friction, intervals::Sign};
 use crate::numerics::{
@@ -20,19 +20,15 @@ pub(super) struct Mark {
     pub sign: Sign,
 }
 
-/// The moving state.
 pub(super) struct Walker<'d> {
     shape: &'d Piecewise,
     friction: Friction,
-    /// What counts as equal to a level of h.
     level: f64,
     /// What counts as touching zero.
     touch: f64,
-    /// Phase at which the present turn began, a multiple of 2π.
     turn: f64,
     piece: usize,
     s: f64,
-    /// Size of w.
     u: f64,
     sign: Sign,
     /// Set from a start until the end of the piece: w grows, whatever rounding says of h − λ at the start.
@@ -43,7 +39,7 @@ pub(super) struct Walker<'d> {
 }
 
 impl<'d> Walker<'d> {
-    /// At the phase `phi` in [0, 2π) with the velocity `w`.
+    /// `phi` in [0, 2π).
     pub(super) fn new(drive: &'d Drive, friction: Friction, phi: f64, w: f64) -> Self {
         let (piece, s) = drive.shape.locate(phi);
         let mut walker = Walker {
@@ -65,7 +61,7 @@ impl<'d> Walker<'d> {
         walker
     }
 
-    /// Puts the velocity to `w` and forgets what was measured before.
+    /// Forgets what was measured before.
     pub(super) fn set(&mut self, w: f64) {
         self.u = w.abs();
         self.sign = Sign::of(w);
@@ -80,33 +76,28 @@ impl<'d> Walker<'d> {
         self.touches = false;
     }
 
-    /// Piece and distance from its left end.
     pub(super) fn position(&self) -> (usize, f64) {
         (self.piece, self.s)
     }
 
-    /// The velocity.
     pub(super) fn w(&self) -> f64 {
         self.sign.factor() * self.u
     }
 
-    /// By what factor a small change of w has shrunk since the last period began.
     pub(super) fn contraction(&self) -> f64 {
         self.contraction
     }
 
-    /// Smallest |w| since the last period began, if w did not vanish.
+    /// Since the last period began, if w did not vanish.
     pub(super) fn lowest(&self) -> f64 {
         self.lowest
     }
 
-    /// Whether |w| had a minimum indistinguishable from zero.
     pub(super) fn touches(&self) -> bool {
         self.touches
     }
 
-    /// One whole period, from and to the position `section` where the walker is. Marks count φ from the
-    /// turn in which the period began.
+    /// From and to the position `section` where the walker is. Marks count φ from the turn in which the period began.
     pub(super) fn period(&mut self, section: (usize, f64), marks: &mut Vec<Mark>) {
         self.turn = 0.0;
         self.reset();
@@ -115,7 +106,6 @@ impl<'d> Walker<'d> {
         self.run_to(section, marks);
     }
 
-    /// To the next multiple of 2π.
     pub(super) fn finish_turn(&mut self, marks: &mut Vec<Mark>) {
         self.begin(marks);
         while self.piece < self.shape.pieces().len() {
@@ -126,7 +116,6 @@ impl<'d> Walker<'d> {
         self.turn += TAU;
     }
 
-    /// To a position ahead in the present turn.
     pub(super) fn run_to(&mut self, (piece, s): (usize, f64), marks: &mut Vec<Mark>) {
         self.begin(marks);
         while self.piece < piece {
@@ -160,7 +149,6 @@ impl<'d> Walker<'d> {
         self.fresh = false;
     }
 
-    /// From s to `end` on the present piece, through all events there.
     fn finish_piece(&mut self, end: f64, marks: &mut Vec<Mark>) {
         for _ in 0..EVENTS_PER_PIECE {
             let event = match self.sign {
@@ -183,7 +171,6 @@ impl<'d> Walker<'d> {
         }
     }
 
-    /// The end of a rest before `end`, and the direction in which it ends.
     fn leave(&self, end: f64) -> Option<(f64, Sign)> {
         let piece = self.here();
         let (first, last) = self.ends(piece, end);
@@ -207,7 +194,6 @@ impl<'d> Walker<'d> {
         None
     }
 
-    /// h at s and at `end`.
     fn ends(&self, piece: &Piece, end: f64) -> (f64, f64) {
         let first = if self.s == 0.0 {
             piece.left()
@@ -222,7 +208,6 @@ impl<'d> Walker<'d> {
         (first, last)
     }
 
-    /// Moves to `end`, or finds where w vanishes first and what comes then.
     fn slide(&mut self, end: f64) -> Option<(f64, Sign)> {
         let piece = self.here();
         let (s0, u0, side) = (self.s, self.u, self.sign.factor());
@@ -284,7 +269,7 @@ impl<'d> Walker<'d> {
         None
     }
 
-    /// w vanishes at `s`: what comes then, and how much a small change of w shrinks by it.
+    /// What comes then, and how much a small change of w shrinks by it.
     fn stop(&mut self, piece: &Piece, s: f64) -> (f64, Sign) {
         let h = piece.value(s);
         let next = self.after(h);

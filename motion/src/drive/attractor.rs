@@ -1,9 +1,8 @@
 //! The periodic motion that a start leads to.
 //!
-//! The velocities of two motions of one drive never move apart and never pass each other, so the return map F of w over a period is
-//! monotone with slope between 0 and 1, and F(w) − w never increases. Newton's method on it, kept inside
-//! the bracket that those signs give, goes to the motion that plain following would reach, only faster; the
-//! last period is always a plain one.
+//! Two motions of one drive never move apart and never pass each other, so the return map F of w over a period is monotone with
+//! slope between 0 and 1, and F(w) − w never increases. Newton's method inside the bracket of those signs goes to the motion that
+//! plain following would reach; the last period is always a plain one.
 
 use super::{
     Drive, DriveError, DriveState, Friction,
@@ -68,23 +67,22 @@ pub struct Attractor<'d> {
 /// Whether several starts lead to the same motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Agreement {
-    /// Largest difference of w between the first start's motion and any other's, over 64 phases.
+    /// Of w, between the first start's motion and any other's, over 64 phases.
     pub largest_difference: f64,
-    /// Whether it is within what the motions' own uncertainties allow (at least 1e-12).
+    /// Within what the motions' own uncertainties allow (at least 1e-12).
     pub agree: bool,
-    /// The most periods that one of the starts needed by plain following, where known.
+    /// Of the starts, by plain following, where known.
     pub most_periods: Option<u64>,
 }
 
 impl Drive {
-    /// Follows the motion from `start` until it is periodic: until w after one more period agrees with
-    /// itself to 1e-12 (in units of the largest |h|).
+    /// Follows the motion from `start` until w after one more period agrees with itself to 1e-12 of the largest |h|.
     ///
     /// Cost: at most `max_periods` periods, in each of which every piece of the drive is visited.
     ///
     /// # Errors
-    /// A bad start; a motion that is not periodic after integrating `max_periods` periods. Sliding that
-    /// goes on in one direction is skipped and slow contraction is accelerated, so a few dozen are enough.
+    /// A bad start; a motion that is not periodic after `max_periods` periods. Long sliding is skipped and slow contraction
+    /// accelerated, so a few dozen are enough.
     pub fn attractor(
         &self,
         friction: Friction,
@@ -137,8 +135,7 @@ impl Drive {
                 }
             } else {
                 change = walker.w() - w;
-                // After a rest, whatever was before it is forgotten: the next period repeats this one to the last bits, unless
-                // the rest was no more than an error of the start.
+                // The next period repeats this one to the last bits, unless the rest was no more than an error of the start.
                 let aim = if rate == 0.0 { 0.0 } else { AIM * (1.0 - rate) };
                 let goal = aim.max(ROUNDING) * size;
                 (low, high) = narrowed(low, high, w, change);
@@ -163,8 +160,8 @@ impl Drive {
             }
             let newton = w + change / (1.0 - rate);
             accelerated_at.get_or_insert(w);
-            // Newton's method may go to and fro for ever between the two sides of a kink of the return map: where
-            // the change has not halved since last time, halve the bracket.
+            // Newton's method may go to and fro for ever between the two sides of a kink: where the change has not halved, halve
+            // the bracket.
             let stalls = change.abs() > 0.5 * last;
             last = change.abs();
             w = if newton > low && newton < high && !stalls {
@@ -220,7 +217,6 @@ impl Drive {
     }
 }
 
-/// The bracket of the periodic state, once F(w) − w = `change` is known at `w`.
 fn narrowed(low: f64, high: f64, w: f64, change: f64) -> (f64, f64) {
     if change >= 0.0 {
         (low.max(w), high)
@@ -229,7 +225,7 @@ fn narrowed(low: f64, high: f64, w: f64, change: f64) -> (f64, f64) {
     }
 }
 
-/// Periods of plain following: those counted, and those that a distance takes at a rate.
+/// Those counted, and those that a distance takes at a rate.
 fn plain_periods(counted: f64, distance: Option<f64>, rate: f64, size: f64) -> Option<u64> {
     let more = match distance {
         None => 1.0,
@@ -290,10 +286,9 @@ impl<'d> Attractor<'d> {
         }
     }
 
-    /// One period, in order. It begins, at a phase in [0, 2π), at the end of a rest before a positive
-    /// interval; failing that, at the end of a rest; failing that, where w rises through zero; the first such
-    /// phase, if there are several. Ends are not reduced: they run on to the beginning plus 2π. At rest for
-    /// ever: one interval from 0. Never zero: one interval from the phase of the start.
+    /// One period, in order. It begins, at the first such phase in [0, 2π), at the end of a rest before a positive interval;
+    /// failing that, at the end of a rest; failing that, where w rises through zero. Ends are not reduced. At rest for ever: one
+    /// interval from 0. Never zero: one interval from the phase of the start.
     pub fn intervals(&self) -> &[Interval] {
         &self.intervals
     }
@@ -308,12 +303,12 @@ impl<'d> Attractor<'d> {
         self.residual
     }
 
-    /// By what factor a small distance to this motion shrinks per period: 0 with rest, 1 if neutral.
+    /// By this factor a small distance to the motion shrinks per period: 0 with rest, 1 if neutral.
     pub fn contraction(&self) -> f64 {
         self.contraction
     }
 
-    /// Largest error of w that the residual and rounding allow; infinite for a neutral motion.
+    /// Of w, by the residual and rounding; infinite for a neutral motion.
     pub fn uncertainty(&self) -> f64 {
         if self.contraction >= 1.0 {
             return f64::INFINITY;
@@ -331,7 +326,6 @@ impl<'d> Attractor<'d> {
         self.periods
     }
 
-    /// Largest difference of w from another motion, over 64 phases.
     fn apart(&self, other: &Self) -> f64 {
         let phases = (0..64).map(|k| TAU * f64::from(k) / 64.0);
         phases
@@ -353,7 +347,6 @@ impl<'d> Attractor<'d> {
         self.w_in(interval, phi)
     }
 
-    /// The velocity at a phase within an interval.
     pub(super) fn w_in(&self, interval: &Interval, phi: f64) -> f64 {
         let shape = self.drive.shape();
         let moved = phi - interval.start;
@@ -370,7 +363,6 @@ impl<'d> Attractor<'d> {
 mod tests {
     use super::*;
 
-    /// Both rest at the phase 0; one moves at others.
     #[test]
     fn motions_are_compared_at_all_phases() {
         let drive = Drive::new(libm::sin, &[]).unwrap();
@@ -415,14 +407,12 @@ mod tests {
                 Some(counted + 5)
             );
         }
-        // Nothing was accelerated; it was, but hardly; a rest; nothing shrinks.
         assert_eq!(plain_periods(4.0, None, 0.5, 1.0), Some(5));
         assert_eq!(plain_periods(4.0, Some(1e-13), 0.5, 1.0), Some(6));
         assert_eq!(plain_periods(4.0, Some(1.0), 0.0, 1.0), Some(6));
         assert_eq!(plain_periods(4.0, Some(1.0), 1.0, 1.0), None);
     }
 
-    /// Whichever start it is.
     #[test]
     fn of_several_starts_the_most_periods_are_told() {
         let drive = Drive::new(libm::sin, &[]).unwrap();

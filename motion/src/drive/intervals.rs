@@ -1,4 +1,4 @@
-//! The list of intervals in which the motion is positive, negative or at rest.
+//! Intervals at most this long (radians) are not listed.
 
 use super::arcs::Mark;
 use std::f64::consts::TAU;
@@ -56,7 +56,7 @@ impl Interval {
     }
 }
 
-/// The intervals between the marks, those of length zero left out.
+/// Those of length zero left out.
 pub(super) fn between(marks: &[Mark], until: f64) -> Vec<Interval> {
     let mut list: Vec<Interval> = Vec::with_capacity(marks.len());
     let ends = marks.iter().skip(1).map(|m| m.phi).chain([until]);
@@ -79,7 +79,6 @@ pub(super) fn between(marks: &[Mark], until: f64) -> Vec<Interval> {
     list
 }
 
-/// Whether the marks hold an interval of length zero away from the ends of the stretch.
 pub(super) fn drops_one(marks: &[Mark], until: f64) -> bool {
     marks.windows(2).any(|pair| {
         pair[1].phi - pair[0].phi <= ZERO_LENGTH
@@ -88,13 +87,10 @@ pub(super) fn drops_one(marks: &[Mark], until: f64) -> bool {
     })
 }
 
-/// Lists one period so that it begins, in [0, 2π), at the end of a rest before a positive interval; failing
-/// that, at the end of a rest; failing that, where w rises through zero. Of several, the first in [0, 2π).
-/// Without any of these the list keeps its beginning.
+/// As [`Attractor::intervals`](super::Attractor::intervals) are; without a beginning of that kind the list keeps its own.
 pub(super) fn canonical(mut list: Vec<Interval>) -> Vec<Interval> {
     let n = list.len();
     if n > 1 && list[0].sign == list[n - 1].sign {
-        // The last goes on as the first; where it ends is set below.
         list.remove(0);
     }
     let n = list.len();
@@ -135,7 +131,7 @@ pub(super) fn canonical(mut list: Vec<Interval>) -> Vec<Interval> {
 mod tests {
     use super::*;
 
-    /// Two rests before forward motion in a period: the list begins behind the one that ends first in [0, 2π).
+    /// The list begins behind the one that ends first in [0, 2π).
     #[test]
     fn of_several_beginnings_the_first_is_taken() {
         let interval = |sign, start, end| Interval { sign, start, end };

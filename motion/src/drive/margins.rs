@@ -7,27 +7,25 @@ use super::{
 };
 use std::f64::consts::TAU;
 
-/// How near a periodic motion is to one with another list of intervals. Infinite where nothing can change
-/// in that way.
+/// How near a periodic motion is to one with another list of intervals; infinite where nothing can change so.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
     /// Length of the shortest interval (radians): at 0 it disappears.
     pub shortest: f64,
-    /// Smallest |w| of a minimum inside an interval of motion: at 0 the interval is cut in two.
+    /// Smallest |w| of a minimum inside a motion: at 0 it is cut in two.
     pub dip: f64,
-    /// By how much |h| exceeds the friction, at the least, where w changes sign: at 0 a rest appears.
+    /// Least |h| beyond friction where w changes sign: at 0 a rest appears.
     pub crossing: f64,
-    /// By how much an extremum of h inside a rest stays within [−λ₋, λ₊]: at 0 a motion appears.
+    /// Least distance of an extremum of h inside a rest from λ₊ and −λ₋: at 0 a motion appears.
     pub hold: f64,
 }
 
-/// A stretch of one piece of h within one interval.
 struct Stretch {
     piece: usize,
-    /// Ends, from the left end of the piece.
+    /// From the left end of the piece.
     s0: f64,
     s1: f64,
-    /// The phase at the left end of the piece, not reduced.
+    /// At the left end of the piece, not reduced.
     phi: f64,
     /// w at `s0`; of no meaning in a rest.
     w0: f64,
@@ -37,8 +35,7 @@ struct Stretch {
 const ROUNDED: f64 = 1e-14;
 
 impl Attractor<'_> {
-    /// Where |w| is largest, and w there; the phase in [0, 2π). At rest for ever: w = 0 at phase 0. Visits every piece of the
-    /// drive once.
+    /// Where |w| is largest, and w there; the phase in [0, 2π). At rest for ever: w = 0 at phase 0.
     pub fn largest(&self) -> DriveState {
         let mut best = DriveState { phi: 0.0, w: 0.0 };
         self.walk(|interval, stretch| {
@@ -61,20 +58,20 @@ impl Attractor<'_> {
         best
     }
 
-    /// ∫ w dφ over one period: the displacement, dimensionless. Divided by 2π, the mean velocity.
+    /// ∫ w dφ over one period, dimensionless. Divided by 2π, the mean velocity.
     pub fn displacement(&self) -> f64 {
         let [forward, backward] = self.distances();
         forward - backward
     }
 
-    /// What friction takes from the motion in a period, λ₊ and λ₋ times the distances forwards and backwards: energy per
-    /// mass, dimensionless. In a periodic motion it is ∮ h w dφ, the work of the drive.
+    /// λ₊ and λ₋ times the distances forwards and backwards in a period, taken by friction: energy per mass, dimensionless. In a
+    /// periodic motion it is ∮ h w dφ, the work of the drive.
     pub fn lost(&self) -> f64 {
         let [forward, backward] = self.distances();
         self.friction.plus * forward + self.friction.minus * backward
     }
 
-    /// How far the particle goes forwards, and how far backwards, in a period: ∫ |w| dφ over either, dimensionless.
+    /// ∫ |w| dφ in a period, forwards and backwards; dimensionless.
     pub fn distances(&self) -> [f64; 2] {
         let [mut forward, mut backward] = [0.0; 2];
         self.walk(
@@ -163,7 +160,6 @@ impl Attractor<'_> {
         margins
     }
 
-    /// The level of h at which w of this sign has its extrema.
     fn level(&self, sign: Sign) -> f64 {
         match sign {
             Sign::Positive => self.friction.plus(),
@@ -172,7 +168,6 @@ impl Attractor<'_> {
         }
     }
 
-    /// Visits every stretch of a piece in every interval, in order.
     fn walk(&self, mut visit: impl FnMut(&Interval, Stretch)) {
         let shape = self.drive.shape();
         let pieces = shape.pieces();
@@ -216,7 +211,6 @@ mod tests {
     use super::super::{Drive, DriveState, Friction};
     use std::f64::consts::TAU;
 
-    /// A drive that begins later has the largest velocity later by as much, in the same period.
     #[test]
     fn the_largest_velocity_has_its_phase_within_a_period() {
         let largest = |late: f64| {

@@ -8,16 +8,14 @@
 //!
 //! h pulls the body along +w in the plane's frame: where the plane [accelerates](super) by A, h is −A in units of its size.
 //!
-//! Nothing else is known: h is any function of period 2π, represented once by [`Piecewise`], and every arc,
-//! stop, start and passage through zero is read off that representation. One [`Drive`] serves any number of
+//! h is any function of period 2π, represented once by [`Piecewise`], off which all is read. One [`Drive`] serves any number of
 //! friction pairs.
 //!
 //! # Decisions
 //! - **Thresholds.** Rest ends only where h leaves [−λ₋, λ₊] by more than [`Drive::resolution`], about
 //!   1e-15 of the largest |h|: at λ₊ = max h itself the particle stays at rest.
-//! - **Touching.** A motion whose |w| has a minimum within the resolution of 0 passes over it: no rest, no
-//!   change of sign; [`Attractor::grazes`] says that it happened.
-//! - **Intervals of length zero** (at most [`ZERO_LENGTH`]) are not listed; `grazes` says that one was dropped.
+//! - **Touching.** A minimum of |w| within the resolution of 0 is no rest and no change of sign; [`Attractor::grazes`] tells.
+//! - **Intervals of length zero** (at most [`ZERO_LENGTH`]) are not listed; `grazes` tells.
 //! - **Neutral motions.** If the mean of h is exactly λ₊ (or −λ₋), all motions of one sign are periodic; the
 //!   one that the start leads to is returned, with contraction rate 1. So it is without friction.
 
@@ -149,7 +147,7 @@ pub struct Drive {
 pub struct DrivePath {
     /// The state at the end.
     pub end: DriveState,
-    /// What happened, in order, from the start's phase to the end's (not reduced modulo 2π).
+    /// What happened, in order; phases are not reduced modulo 2π.
     pub intervals: Vec<Interval>,
     /// By what factor a small change of the initial w has shrunk: 0 after a rest.
     pub contraction: f64,

@@ -1,7 +1,7 @@
 //! The motion with a velocity across the drive, which may become smaller than any number.
 //!
-//! With the velocity (w_x, w_y), w_y > 0, and w = |(w_x, w_y)|:
-//! w_x' = h − λ w_x/w, w_y' = −λ w_y/w. For tiny w_y, w_x passes through zero within a layer as thin as w_y. In
+//! With the velocity (w_x, w_y), w_y > 0, and w = |(w_x, w_y)|: w_x' = h − λ w_x/w, w_y' = −λ w_y/w. For tiny w_y, w_x passes
+//! zero within a layer as thin as w_y. In
 //!
 //! - a = ln(w + w_x), b = ln(w − w_x), so that ln w_y = (a + b)/2, and
 //! - the measure dσ = dφ/w of the path,
@@ -9,9 +9,8 @@
 //! the layer has disappeared: da/dσ = h − λ, db/dσ = −h − λ, dφ/dσ = (eᵃ + eᵇ)/2. (For w' = h w_x/w − λ, so
 //! (w ± w_x)' = (±h − λ)(w ± w_x)/w.) In σ, ln w_y falls at the constant rate λ, whatever its size.
 //!
-//! Where both a and b are below [`DEEP`], the phase stands still to 1e-20, so a and b are linear in σ: the
-//! passage is exact. If |h| ≤ λ there, both fall for ever while φ does not advance: the particle stops,
-//! within a finite phase, and w_y is 0 from then on.
+//! Where both a and b are below [`DEEP`], the phase stands still to 1e-20, so a and b are linear in σ: the passage is exact. If
+//! |h| ≤ λ there, both fall for ever: the particle stops, and w_y is 0 from then on.
 
 use super::{Drive, DriveError, DriveState, Friction};
 use crate::numerics::{
@@ -26,9 +25,9 @@ use std::f64::consts::TAU;
 const DEEP: f64 = -50.0;
 /// Logarithms below this would soon leave the range of f64: w_y counts as 0 from there on.
 const LOWEST: f64 = -1e290;
-/// Largest change of a or b in a step, so that an exponential that underflows stays negligible over it.
+/// So that an exponential that underflows stays negligible over a step.
 const LONGEST: f64 = 300.0;
-/// Steps allowed between two of the phases asked for, per period; a period takes about 200.
+/// Between two of the phases asked for, per period; a period takes about 200.
 const STEPS_PER_PERIOD: f64 = 20_000.0;
 
 /// A phase and a velocity in the plane, dimensionless.
@@ -38,13 +37,13 @@ pub struct PlanarState {
     pub phi: f64,
     /// The velocity along the drive.
     pub w_x: f64,
-    /// The logarithm of the velocity across the drive; −∞ where that is exactly 0 (or below about e^−1e290).
+    /// ln w_y; −∞ where w_y is 0 (or below about e^−1e290).
     pub ln_w_y: f64,
 }
 
 impl Drive {
-    /// Follows the motion in the plane, with isotropic friction λ, from `start` and returns its states at
-    /// `phases`, which must not decrease. `start.ln_w_y` may lie between −1e12 and 20.
+    /// The states at `phases`, which must not decrease, of the motion in the plane from `start`, with isotropic friction λ.
+    /// `start.ln_w_y` may lie between −1e12 and 20.
     ///
     /// # Errors
     /// A λ that is negative or no number, a bad start, phases that decrease or reach beyond 1e5 after the start.
@@ -82,7 +81,7 @@ impl Drive {
             if ln_w_y == f64::NEG_INFINITY {
                 at = self.advance(friction, at, phi)?.end;
             } else if let Some(stop) = flight.run_to(phi)? {
-                // At rest at the phase `stop`, and w_y = 0 for ever: from here on it moves on a line.
+                // From here on it moves on a line.
                 let from = if at.phi < stop {
                     DriveState { phi: stop, w: 0.0 }
                 } else {
@@ -104,20 +103,18 @@ impl Drive {
     }
 }
 
-/// The equations on one piece of h; the state is (s, a, b) with s the distance from the piece's left end.
+/// On one piece of h; the state is (s, a, b) with s the distance from the piece's left end.
 struct Layer<'p> {
     piece: &'p Piece,
     lambda: f64,
 }
 
-/// What a step needs besides the state.
 #[derive(Default)]
 struct Work {
-    /// The series of the exponentials.
     exponentials: [[f64; TERMS]; 2],
-    /// The coefficients of h in powers of the distance from the begin of the step.
+    /// In powers of the distance from the begin of the step.
     h: Vec<f64>,
-    /// The series of the partial sums of Horner's scheme for h.
+    /// Of the partial sums of Horner's scheme for h.
     partial: Vec<[f64; TERMS]>,
 }
 
@@ -163,7 +160,6 @@ impl System<f64, 3, TERMS> for Layer<'_> {
     }
 }
 
-/// A motion under way.
 struct Flight<'d> {
     drive: &'d Drive,
     lambda: f64,
@@ -208,7 +204,6 @@ impl<'d> Flight<'d> {
         (size.copysign(a - b), 0.5 * (a + b))
     }
 
-    /// To the phase `phi`, or to the phase before it at which the particle stops.
     fn run_to(&mut self, phi: f64) -> Result<Option<f64>, DriveError> {
         let allowed = STEPS_PER_PERIOD * (1.0 + (phi - self.origin) / TAU);
         let mut steps = 0.0;
@@ -243,7 +238,6 @@ impl<'d> Flight<'d> {
         }
     }
 
-    /// One step on `piece`, at most to `s = end`.
     fn step(&mut self, piece: &Piece, end: f64) -> Result<(), DriveError> {
         let [s, a, b] = self.state;
         if a.max(b) < DEEP {

@@ -20,7 +20,7 @@ fn settle(drive: &Drive, plus: f64, minus: f64, start: DriveState) -> Attractor<
 
 use Sign::{Negative, Positive, Rest};
 
-/// Composite Gauss-Legendre quadrature of h itself, two points.
+/// Two points of h itself, composite Gauss–Legendre.
 fn quadrature(h: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
     let n = 4000;
     let half = 0.5 * (b - a) / n as f64;
@@ -96,7 +96,6 @@ fn neutral_motions_are_said_to_be_neutral() {
         assert!((found.w(PI) - w - 2.0).abs() < 1e-13);
         assert_eq!(found.contraction(), 1.0);
     }
-    // So little friction that it takes more periods than there are numbers.
     let still = Drive::new(|_| 0.0, &[]).unwrap();
     let found = settle(&still, 0.0, 5e-324, DriveState { phi: 0.0, w: -0.9 });
     assert_eq!(found.w(1.0), -0.9);
@@ -175,7 +174,6 @@ proptest! {
                         _ => drive.shape().antiderivative(now.end) - drive.shape().antiderivative(now.start),
                     };
                 }
-                // Over one period w returns.
                 prop_assert!(net.abs() < 1e-11, "{net}");
                 let after = drive.strobe(friction, DriveState { phi, w: found.w(phi) }, 3).unwrap();
                 let allowed = 1e-11 + 10.0 * found.residual();
@@ -193,8 +191,8 @@ proptest! {
 
 #[test]
 fn the_first_of_the_neutral_motions_is_found_from_below_and_above() {
-    // The mean is the friction on the way up. From below, two zeros per period: accelerated, and past the motion
-    // that touches zero where h is curved so. It touches where h jumps up, at φ = 0.
+    // From below, two zeros per period: accelerated, and past the motion that touches zero where h is curved so. It touches where
+    // h jumps up, at φ = 0.
     for slope in [0.6, -0.6] {
         for side in [1.0, -1.0] {
             let h = move |x: f64| {
@@ -230,7 +228,6 @@ fn lengths_of_zero_inside_a_stretch_are_noticed() {
     assert!(drops(&[1.0, 2.0, 2.0]) && drops(&[0.5, 1.0, 3.0, 3.0, 4.0]));
     assert!(!drops(&[1.0, 2.0, 3.0]) && !drops(&[1.0]));
     assert!(drops(&[0.125, 0.5, 0.5 + 0.9e-14]) && !drops(&[0.125, 0.5, 0.5 + 1.1e-14]));
-    // Not at the ends.
     assert!(!drops(&[1.0, 1.0, 2.0]) && !drops(&[1.0, 7.0, 7.0]));
 }
 
@@ -256,7 +253,6 @@ fn a_drive_that_comes_back_to_the_friction_at_a_jump_has_stopped_the_motion() {
 
 #[test]
 fn what_touches_zero_where_the_drive_is_back_at_the_level_grazes() {
-    // h = x − 1/2 up to 1, λ = 1/2: w = w₀ − x + x²/2 is w₀ − 1/2 there.
     for side in [1.0, -1.0] {
         let h = move |x: f64| side * if x < 1.0 { x - 0.5 } else { 1.5 };
         let drive = Drive::new(h, &[1.0]).unwrap();

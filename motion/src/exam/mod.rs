@@ -1,8 +1,7 @@
 //! An exam in dry friction for engines and solvers: set-ups, each with one question, and answers that can be relied on.
 //!
-//! Every answer is found twice: by following the motion ([`crate`]), and by a route that does not read that run,
-//! mostly an enclosure ([`crate::validated`]) or a second integrator with other equations. An answer on which the two
-//! do not agree is an [`ExamError`], not an answer. No formula of the paper is used.
+//! Every answer is found twice, without the paper: by following the motion ([`crate`]), and by an enclosure
+//! ([`crate::validated`]) or a second integrator with other equations. If they do not agree, it is an [`ExamError`].
 //!
 //! ```
 //! use slipbook_motion::exam::{Answer, TASKS};
@@ -27,8 +26,7 @@ use crate::scene::SceneError;
 use serde::Serialize;
 use trialbook::certified::{enclosure::Enclosure, error::CertifiedError, interval::Interval};
 
-/// A set-up, a question with one answer, and two ways to it. All quantities are dimensionless, in the units that the
-/// set-up names.
+/// A set-up, a question, and two ways to its answer. Dimensionless, in the units that the set-up names.
 #[derive(Debug)]
 pub struct Task {
     /// Name, unique.
@@ -39,8 +37,8 @@ pub struct Task {
     pub posed: posed::Posed,
     /// The question.
     pub question: &'static str,
-    /// The unit of the number that answers it, in the quantities of the set-up (ω being the angular frequency of a pull
-    /// that repeats); empty for an order.
+    /// Of the number that answers it, in the quantities of the set-up (ω is the angular frequency of a pull that repeats); empty
+    /// for an order.
     pub unit: &'static str,
     motion: fn() -> Result<Answer, ExamError>,
     other: Other,
@@ -116,7 +114,7 @@ pub enum ExamError {
     /// An enclosure that is not proved.
     #[error(transparent)]
     Certified(#[from] CertifiedError),
-    /// A root that is not found.
+    /// A root not found.
     #[error(transparent)]
     Numerics(#[from] NumericsError),
     /// An event that the question is about does not happen.
@@ -164,10 +162,9 @@ pub static TASKS: [Task; 23] = [
 /// The unit of a share, a ratio or a logarithm.
 const DIMENSIONLESS: &str = "dimensionless";
 
-/// The two ways have to agree to this, relative to the larger of 1 and the answer, beside the width of an enclosure: a
-/// hundred times what the integrators promise.
+/// Relative to the larger of 1 and the answer, beside the width of an enclosure: a hundred times what the integrators promise.
 const CLOSE: f64 = 1e-10;
-/// The least error that is claimed without an enclosure, relative to the answer.
+/// Claimed without an enclosure, relative to the answer.
 const LEAST: f64 = 1e-13;
 
 impl Task {
@@ -196,7 +193,6 @@ impl Task {
                 (_, answer) => (answer, None, Basis::Integrated),
             },
         };
-        // An error that is the difference itself excuses none.
         let bound = match basis {
             Basis::Certified => error.unwrap_or(0.0),
             Basis::Integrated => 0.0,
@@ -223,7 +219,6 @@ impl Task {
     }
 }
 
-/// The middle of an interval, and how far its ends are from it.
 fn enclosed(interval: Interval) -> (Answer, Option<f64>, Basis) {
     let middle = interval.mid();
     let error = (interval.hi() - middle).max(middle - interval.lo());
@@ -240,7 +235,7 @@ impl std::fmt::Display for Answer {
 }
 
 impl Sat {
-    /// The answer with the decimals that its error leaves, at most fifteen digits; without its unit.
+    /// With the decimals that its error leaves, at most fifteen digits; without its unit.
     pub fn text(&self) -> String {
         let (Answer::Number(x), Some(error)) = (&self.answer, self.error) else {
             return self.answer.to_string();
@@ -250,7 +245,6 @@ impl Sat {
             .min(15.0 + known(x.abs().max(1e-3)))
             .clamp(0.0, 15.0);
         let text = format!("{x:.0$}", decimals as usize);
-        // An exact answer is written without the zeros behind it.
         match text.contains('.') {
             true if format!("{x}").len() < text.len() => format!("{x}"),
             _ => text,
@@ -265,7 +259,7 @@ impl Sat {
         }
     }
 
-    /// How far the followed motion is from the answer; nothing for an order.
+    /// Of the followed motion from the answer; nothing for an order.
     pub fn deviation(&self) -> Option<f64> {
         match (&self.motion, &self.answer) {
             (Answer::Number(x), Answer::Number(y)) => Some((x - y).abs()),
@@ -274,7 +268,7 @@ impl Sat {
     }
 }
 
-/// The numbers that are no farther from one than this, rounded outwards; no more than that one, if the error is nothing.
+/// Rounded outwards; no more than that one, if the error is nothing.
 fn around(x: f64, error: f64) -> [f64; 2] {
     match error > 0.0 {
         true => [(x - error).next_down(), (x + error).next_up()],
@@ -290,12 +284,10 @@ macro_rules! fraction {
 }
 use fraction;
 
-/// n/m as a ball.
 fn ratio(n: i64, m: i64, bits: usize) -> Result<trialbook::certified::ball::Ball, CertifiedError> {
     valued(trialbook::certified::ball::Ball::ratio(n, m, bits))
 }
 
-/// What an operation without a value is.
 fn valued<T>(value: Option<T>) -> Result<T, CertifiedError> {
     value.ok_or_else(|| CertifiedError::unproved("an operation has no value", &[]))
 }

@@ -6,11 +6,9 @@ use crate::{Launch, MotionError, Plane, Signal, State, run};
 use std::f64::consts::FRAC_PI_2;
 use trialbook::certified::{ball::Ball, enclosure::Enclosure, interval::Interval, root::refine};
 
-/// The block of strong friction, launched across the pull.
 const ACROSS: &str = "A block slides on a horizontal plane with friction λ = μg/A = 3/2 under a steady pull A along x (an inclined \
      plane serves as well). It starts at the origin with the speed v₀ along y. Units: A = v₀ = 1.";
 
-/// The same as a scene.
 const STRONG: &str = "block mu=1.5 g=1 pull=1 throw=1@1.5707963267948966 until=stop";
 
 /// With d|v|/dt = A cos θ − λA and dv_x/dt = A − λA cos θ, λ|v| + v_x changes at the rate A (1 − λ²).

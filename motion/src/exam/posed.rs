@@ -5,7 +5,7 @@ use crate::numerics::error::plain;
 use crate::scene::{Doing, Moment, Moved, Scene, SceneError, Second, Until};
 use serde::Serialize;
 
-/// How long a body lies still on a level floor that nothing moves, before t = 0: the contacts of an engine settle in it. In s.
+/// In s: how long a body lies still on a level floor before t = 0, for the contacts of an engine to settle.
 pub const SETTLE: f64 = 0.5;
 
 /// A word of a scene and its text.
@@ -23,7 +23,6 @@ pub struct Posed {
     pub scan: Option<Scan>,
     /// What is asked.
     pub ask: Ask,
-    /// The scenes of which the same is asked.
     pub grid: Option<Grid>,
 }
 
@@ -90,7 +89,7 @@ pub struct Cell {
     pub words: Vec<Word>,
     /// The answer.
     pub answer: Answer,
-    /// An interval that holds it, by the error that [`Scene::answer`] states; none of an order.
+    /// By the error that [`Scene::answer`] states; none of an order.
     pub interval: Option<[f64; 2]>,
 }
 
@@ -140,14 +139,14 @@ pub static FIELDS: [Field; 2] = [
 const MU: [f64; 5] = [0.05, 0.1, 0.2, 0.5, 1.0];
 const SPEEDS: [f64; 5] = [0.5, 1.0, 2.0, 5.0, 10.0];
 
-/// Pulls below what friction holds.
+/// Below what friction holds.
 pub(super) const HELD: Grid = Grid {
     names: &["mu", "ratio"],
     points: || product(&MU, &[0.5, 0.9, 0.95, 0.99]),
     words: |c| words([("mu", c[0]), ("pull", c[0] * c[1])]),
 };
 
-/// Stops under a pull of 1, by the direction of the start.
+/// Under a pull of 1, by the direction of the start.
 pub(super) const THROWN: Grid = Grid {
     names: &["mu", "angle"],
     points: || {
@@ -157,7 +156,7 @@ pub(super) const THROWN: Grid = Grid {
     words: |c| vec![("mu", plain(c[0])), ("throw", format!("1@{}", plain(c[1])))],
 };
 
-/// Balls that are thrown without spin.
+/// Without spin.
 pub(super) const BOWLED: Grid = Grid {
     names: &["mu", "speed"],
     points: || product(&MU, &SPEEDS),
@@ -171,7 +170,7 @@ pub(super) const TEN: Grid = Grid {
     words: |c| words([("mu", c[1]), ("mu-back", c[0] * c[1])]),
 };
 
-/// A pull sin t along x, of which the last of thirty periods is asked.
+/// A pull sin t along x, of whose thirty periods the last is asked.
 macro_rules! repeated {
     ($words:literal, $ask:expr) => {
         Posed {
@@ -232,7 +231,6 @@ impl Posed {
         (body, words.map(pair).collect())
     }
 
-    /// The scene with these words in place of its own, and this number in place of `{}`.
     fn scene(&self, with: &[Word], number: f64) -> Result<(Scene, Until), SceneError> {
         let (body, words) = self.words();
         let words = words.into_iter().map(|(name, text)| {
@@ -332,7 +330,6 @@ impl Posed {
         (grid.points)().into_iter().map(cell).collect()
     }
 
-    /// The end, and the beginning of the window.
     fn ends(&self, moved: &Moved) -> Result<[Moment; 2], SceneError> {
         let end = moved.end()?;
         let begin = match self.window {
@@ -387,7 +384,6 @@ impl Posed {
             .into_iter()
             .filter(|part| part.from >= from);
         let letters: String = parts.map(|part| part.letter).collect();
-        // A period, read round.
         let first = letters
             .find('F')
             .ok_or(ExamError::Missing("a motion forward"))?;
@@ -396,14 +392,13 @@ impl Posed {
     }
 }
 
-/// A stretch of time in which it does one thing.
 struct Part {
     from: f64,
     to: f64,
     letter: char,
 }
 
-/// Those that do not end before a time: to look at one costs a way through all of the motion.
+/// Those that do not end before it: to look at one costs a way through all of the motion.
 fn parts(moved: &Moved, since: f64) -> Result<Vec<Part>, SceneError> {
     let mut events = moved.events();
     let before = events.iter().rposition(|event| event.t.0 < since);

@@ -1,8 +1,7 @@
 //! A shaken block whose friction is not the same forward and backward.
 //!
-//! Friction λ₊ forward and λ₋ backward is the same as friction (λ₊ + λ₋)/2 both ways together with a steady pull
-//! (λ₋ − λ₊)/2 forward: a tray that is tilted. So an engine without anisotropic friction can sit these tasks, and a second
-//! integrator finds the answers.
+//! Friction λ₊ and λ₋ is the same as (λ₊ + λ₋)/2 both ways with a steady pull (λ₋ − λ₊)/2 forward: a tilted tray, so an engine
+//! without anisotropic friction can sit these tasks.
 
 use super::posed::{self, Ask, Posed, Scan, repeated};
 use super::{Answer, DIMENSIONLESS, ExamError, Other, Task, tray::sine};
@@ -12,7 +11,6 @@ use crate::validated::numbers;
 use crate::{PhaseKind, Plane, Signal, run};
 use std::f64::consts::{PI, TAU};
 
-/// The set-up, but for its numbers.
 macro_rules! ratchet {
     ($numbers:literal) => {
         concat!(
@@ -24,7 +22,7 @@ macro_rules! ratchet {
     };
 }
 
-/// q and λ₀, on either side of the borders, in the corners between them and beyond the point Y.
+/// On either side of the borders, in the corners between them and beyond the point Y.
 pub(super) const TEN: [[f64; 2]; 10] = [
     [1.5, 0.3],
     [1.5, 0.55],
@@ -147,7 +145,7 @@ pub(super) const TOUCHING: Task = Task {
     other: Other::Digits(numbers::Q_Y),
 };
 
-/// Where the forward slip from rest ends, when nothing moves the block backward.
+/// From rest, when nothing moves the block backward.
 fn slip_end(drive: &Drive, lambda: f64) -> Result<f64, ExamError> {
     let start = DriveState { phi: 0.0, w: 0.0 };
     let path = drive.advance(Friction::new(lambda, 2.0)?, start, TAU)?;
@@ -158,7 +156,7 @@ fn slip_end(drive: &Drive, lambda: f64) -> Result<f64, ExamError> {
     Ok(forward.ok_or(ExamError::Missing("a forward slip"))?.end)
 }
 
-/// The letters of a period, beginning with the forward motion.
+/// Beginning with the forward motion.
 fn order(drive: &Drive, q: f64, lambda: f64) -> Result<String, ExamError> {
     let start = DriveState { phi: 0.0, w: 0.0 };
     let outcome = drive.attractor(Friction::new(lambda, q * lambda)?, start, 200)?;
@@ -177,10 +175,8 @@ fn order(drive: &Drive, q: f64, lambda: f64) -> Result<String, ExamError> {
         .collect())
 }
 
-/// Periods after which the motion from rest repeats at the frictions of this exam.
 const PERIODS: f64 = 60.0;
 
-/// The same on a tilted tray with equal friction both ways.
 fn tilted(q: f64, lambda: f64) -> Result<crate::Motion, ExamError> {
     let tilt = 0.5 * (q - 1.0) * lambda;
     let sine = Signal::Sine {
@@ -198,7 +194,6 @@ fn tilted(q: f64, lambda: f64) -> Result<crate::Motion, ExamError> {
     )?)
 }
 
-/// As [`order`], on the tilted tray.
 fn order_when_tilted(q: f64, lambda: f64) -> Result<String, ExamError> {
     let motion = tilted(q, lambda)?;
     let mut letters = Vec::new();
@@ -215,7 +210,6 @@ fn order_when_tilted(q: f64, lambda: f64) -> Result<String, ExamError> {
         };
         letters.push(letter);
     }
-    // From one forward motion to the next.
     let mut forward = letters
         .iter()
         .enumerate()

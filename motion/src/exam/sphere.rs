@@ -6,7 +6,6 @@ use crate::sphere::{Ball, BallMotion, Contact, Sphere};
 use crate::{MotionError, Plane};
 use trialbook::certified::enclosure::Enclosure;
 
-/// The ball of the bowling alley.
 const BOWLED: &str = "A solid ball is put down on a horizontal plane with the velocity v₀ along x and without spin. Units: μg = v₀ = 1.";
 
 /// The point of contact slows down at the rate 7/2.
@@ -49,7 +48,6 @@ pub(super) const DRIVEN_SLIP: Task = Task {
     other: fraction!(28 / 33),
 };
 
-/// The motion until t = 1 of a solid ball with the velocity `v` and no spin, under a pull along x.
 fn thrown(pull: f64, friction: f64, v: [f64; 2]) -> Result<BallMotion, MotionError> {
     let sphere = Sphere {
         mu: friction,

@@ -6,7 +6,6 @@ use crate::turntable::{Start, intrinsic::Run};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Every task, sat once for all tests.
 static SAT: LazyLock<Vec<(&str, Result<Sat, ExamError>)>> =
     LazyLock::new(|| TASKS.iter().map(|task| (task.id, task.sit())).collect());
 
@@ -52,7 +51,7 @@ fn the_answers_are_these() {
     let mut lines = Vec::new();
     for (id, sat) in SAT.iter() {
         let sat = sat.as_ref().unwrap();
-        // Two digits short of what is claimed: the last ones differ from machine to machine.
+        // Two digits short: the last ones differ from machine to machine.
         let text = match (&sat.answer, sat.error) {
             (Answer::Number(x), Some(error)) if error > 1e-15 => {
                 let decimals = libm::floor(-libm::log10(error)) - 2.0;
@@ -111,7 +110,6 @@ fn two_ways_agree_to_ten_digits_beside_the_width_of_an_enclosure() {
     let two = || Ok(Answer::Number(2.0));
     let certified = |x, error| Some((Answer::Number(x), error, Basis::Certified));
     let integrated = |x, error| Some((Answer::Number(x), error, Basis::Integrated));
-    // The error of an enclosure is how far its ends are from its middle.
     assert_eq!(
         sat(two, Other::Within(|| Ok(Interval::new(1.5, 2.5)))),
         certified(2.0, 0.5)
@@ -132,7 +130,6 @@ fn two_ways_agree_to_ten_digits_beside_the_width_of_an_enclosure() {
         sat(two, Other::Within(|| Ok(Interval::point(2.0 + 3e-10)))),
         None
     );
-    // That of two integrators is their difference, and never nothing.
     assert_eq!(
         sat(two, Other::Integrated(|| Ok(Answer::Number(2.0)))),
         integrated(2.0, 2e-13)
@@ -154,7 +151,6 @@ fn two_ways_agree_to_ten_digits_beside_the_width_of_an_enclosure() {
         sat(two, Other::Integrated(|| Ok(Answer::Number(2.0 + 3e-10)))),
         None
     );
-    // Of large numbers it is the digits that count.
     let large = || Ok(Answer::Number(2e6));
     assert!(sat(large, Other::Integrated(|| Ok(Answer::Number(2e6 + 1e-4)))).is_some());
     assert_eq!(
@@ -177,7 +173,7 @@ fn no_more_digits_are_written_than_are_known() {
     assert_eq!(sat(95.123_456, 3e-3).text(), "95.12");
 }
 
-/// The answer of a task, and how far a scene may be off it: its interval, and 10⁻⁹ of it, or of 1.
+/// Within the task's interval, and 10⁻⁹ of the answer, or of 1.
 fn holds(answer: &Answer, sat: &Sat) -> bool {
     match (answer, sat.interval()) {
         (Answer::Number(x), Some([lo, hi])) => {
@@ -197,12 +193,11 @@ fn every_scene_gives_the_answer_of_its_task() {
     }
 }
 
-/// So that its number is read: what is off by a millionth is not the answer's scene any more.
 #[test]
 fn a_wrong_word_in_a_scene_is_noticed() {
     let mut noticed = 0;
     for (task, (_, sat)) in TASKS.iter().zip(SAT.iter()) {
-        // What rests or comes back does so elsewhere too; what is looked for in several scenes takes long.
+        // They rest or come back elsewhere too; a search takes long.
         if ["creep", "mirror", "orders"].contains(&task.id) || task.posed.scan.is_some() {
             continue;
         }
@@ -212,7 +207,6 @@ fn a_wrong_word_in_a_scene_is_noticed() {
             let Ok(number) = text.parse::<f64>() else {
                 continue;
             };
-            // Of a ball on a plane, it drops out.
             if name == "radius" {
                 continue;
             }
@@ -272,7 +266,7 @@ fn the_answers_of_grids_are_those_of_closed_forms() {
         assert!(cells.len() >= 20, "{id}");
         for cell in cells {
             let ([lo, hi], right) = (cell.interval.unwrap(), closed(cell.at[0], cell.at[1]));
-            // The closed forms have rounding errors of their own: of the ramp, where two large terms nearly cancel.
+            // The closed forms have rounding errors of their own.
             let own = 1e-13 * right.max(0.01);
             assert!(
                 lo <= right + own && right - own <= hi,

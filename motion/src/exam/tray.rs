@@ -8,7 +8,6 @@ use crate::{Plane, Signal, run};
 use std::f64::consts::TAU;
 use trialbook::certified::{ball::Ball, enclosure::Enclosure, error::CertifiedError};
 
-/// The set-up of a friction λ₀.
 macro_rules! shaken {
     ($lambda:literal) => {
         concat!(
@@ -129,7 +128,6 @@ pub(super) const HEAT: Task = Task {
     })),
 };
 
-/// Once in ln v_y and layers that disappear, once in the components of the velocity.
 pub(super) const SIDEWAYS: Task = Task {
     id: "sideways",
     setup: "A block slides on a tray that is shaken along x; in its frame it feels the pull A sin t. Friction is λ₀ = μg/A = 3/10; \
@@ -156,7 +154,6 @@ pub(super) const SIDEWAYS: Task = Task {
     }),
 };
 
-/// The plane that gives the pull sin t along x.
 fn shaking() -> Plane {
     let sine = Signal::Sine {
         frequency: 1.0,
@@ -165,7 +162,6 @@ fn shaking() -> Plane {
     Plane::along([-1.0, 0.0], sine)
 }
 
-/// The pull.
 pub(super) fn sine() -> Result<Drive, DriveError> {
     Drive::new(libm::sin, &[])
 }
@@ -196,7 +192,7 @@ fn rest_fraction(lambda: f64) -> Result<Answer, ExamError> {
     Ok(Answer::Number(total / TAU))
 }
 
-/// λ₀ = n/m, where the forward slip begins and where it ends, which is near `near`.
+/// λ₀ = n/m, begin and end of the forward slip; the end is near `near`.
 fn slip(n: i64, m: i64, near: f64, bits: usize) -> Result<[Ball; 3], CertifiedError> {
     let lambda = super::ratio(n, m, bits + 16)?;
     let from = valued(lambda.asin())?;

@@ -9,7 +9,6 @@ use crate::turntable::{
 use crate::validated::turntable::{Fate as Proved, fate_launched, fate_put_down};
 use trialbook::certified::{error::CertifiedError, interval::Interval};
 
-/// The table, but for how the coin gets there.
 macro_rules! table {
     ($start:literal) => {
         concat!(
@@ -20,7 +19,7 @@ macro_rules! table {
     };
 }
 
-/// Whether it rests in the last second of fifty: where a border is, in this unit.
+/// Where a border is, in this unit: whether it rests in the last second of fifty.
 const fn bordered(scene: &'static str, unit: &'static str) -> Posed {
     Posed {
         window: Some(1.0),
@@ -35,11 +34,9 @@ const fn bordered(scene: &'static str, unit: &'static str) -> Posed {
     }
 }
 
-/// To which a border is followed.
 const WIDTH: f64 = 1e-13;
 
-/// Half the width of the band that is not proved to rest or to escape: that of the book's proof (`book/src/rest.md`), which
-/// covers all starts on both sides of it.
+/// Half the width of what is not proved to rest or to escape by the book's proof (`book/src/rest.md`).
 const BAND: f64 = 3e-7;
 
 pub(super) const CRITICAL_RADIUS: Task = Task {
@@ -62,7 +59,7 @@ pub(super) const CRITICAL_SPEED: Task = Task {
     other: Other::Within(|| border(critical_speed(), fate_launched)),
 };
 
-/// The band about a number from whose lower end a coin is proved to rest, and from whose upper end to escape.
+/// From its lower end a coin is proved to rest, from its upper end to escape.
 fn border<E>(
     near: Result<f64, E>,
     fate: fn(Interval, f64) -> Result<Proved, CertifiedError>,
@@ -99,7 +96,6 @@ pub(super) const PLACE_OF_REST: Task = Task {
     }),
 };
 
-/// When the escape is looked at.
 const LATE: f64 = 20.0;
 
 /// In components along and across the velocity, and in axes at rest in the laboratory.

@@ -4,8 +4,7 @@ use super::{Answer, ExplorerError, spread, tray};
 use crate::drive::{Drive, DriveError, DriveState, Friction, Interval, Sign};
 use std::sync::LazyLock;
 
-/// The manners of the periodic motion by the order of a period's intervals, forwards, backwards and rest: the
-/// regions I to V.
+/// The orders of a period's intervals in the regions I to V.
 pub const MANNERS: [&[Sign]; 5] = {
     use Sign::{Negative as N, Positive as P, Rest as O};
     [&[P, N], &[P, N, O], &[P, O, N, O], &[P, O], &[O]]
@@ -13,7 +12,7 @@ pub const MANNERS: [&[Sign]; 5] = {
 
 /// Above this λ₀ nothing moves.
 const TOP: f64 = 1.4;
-/// The map begins here: at λ₀ = 0 without friction nothing ever settles.
+/// At λ₀ = 0 nothing ever settles.
 const BOTTOM: f64 = 1e-3;
 
 /// The motion with λ₊ = λ₀, λ₋ = qλ₀ from the velocity `w` at φ = 0.
@@ -67,18 +66,17 @@ pub fn map(to: f64) -> Result<Answer, ExplorerError> {
 /// As for [`motion`].
 pub fn film(q: f64, lambda0: f64, w: f64) -> Result<Answer, ExplorerError> {
     let friction = Friction::new(lambda0, q * lambda0)?;
-    // The inertial force is the sine of the phase, so the floor accelerates by its opposite.
+    // The floor accelerates by the opposite of the inertial force.
     tray::film(drive()?, friction, w, |phi| libm::sincos(phi).into())
 }
 
-/// The drive sin φ.
 pub(super) fn drive() -> Result<&'static Drive, DriveError> {
     static DRIVE: LazyLock<Result<Drive, DriveError>> =
         LazyLock::new(|| Drive::new(libm::sin, &[]));
     DRIVE.as_ref().map_err(Clone::clone)
 }
 
-/// The region, 1 to 5, of a periodic motion; 0 if its order of intervals is none of the five.
+/// 1 to 5; 0 if the order of intervals is none of the five.
 fn region(intervals: &[Interval]) -> usize {
     let fits = |manner: &&[Sign]| manner.iter().copied().eq(intervals.iter().map(|i| i.sign));
     MANNERS.iter().position(fits).map_or(0, |i| i + 1)

@@ -4,11 +4,10 @@ use super::{Answer, ExplorerError, PICTURES, flag, spread};
 use crate::{Launch, Motion, MotionError, Plane, State, run};
 use std::f64::consts::PI;
 
-/// How long a motion is followed that need not come to rest.
+/// Where it need not come to rest.
 const WHILE: f64 = 10.0;
-/// Places marked on a path, at most.
+/// On a path, at most.
 const MARKS: u32 = 200;
-/// Directions of the portrait: every 30°.
 const DIRECTIONS: u32 = 12;
 
 /// The motion with friction λ from the launch angle `theta`, in degrees in (−180, 180].
@@ -74,8 +73,8 @@ pub fn portrait(lambda: f64) -> Result<Answer, ExplorerError> {
 
 /// The same motion at equal times, for a moving picture.
 ///
-/// Values: the time between the pictures. Curves: place and velocity of the particle, relative to the plane, and the place of one
-/// that is launched alike on a plane at rest.
+/// Values: the time between the pictures. Curves: place and velocity relative to the plane, and the place of a particle launched
+/// alike on a plane at rest.
 ///
 /// # Errors
 /// As for [`motion`].
@@ -98,7 +97,6 @@ pub fn film(lambda: f64, theta: f64) -> Result<Answer, ExplorerError> {
     })
 }
 
-/// The motion to rest, or for a while where it never rests.
 fn followed(lambda: f64, theta: f64) -> Result<Motion, MotionError> {
     let launch = Launch::new(lambda, 1.0, 1.0, PI * (theta / 180.0))?;
     if launch.comes_to_rest() {
@@ -108,7 +106,7 @@ fn followed(lambda: f64, theta: f64) -> Result<Motion, MotionError> {
     }
 }
 
-/// Points dense enough to draw: equal steps in time, and the integrator's own nodes, where it turns fast.
+/// Equal steps in time, and the integrator's own nodes, where it turns fast.
 fn states(motion: &Motion, n: u32) -> Result<Vec<State>, MotionError> {
     let mut states: Vec<State> = motion.nodes().collect();
     for t in spread(0.0, motion.end().t, n) {

@@ -1,11 +1,7 @@
 //! What the book's explorers ask: a few numbers in, the values and curves to show out.
 //!
-//! An explorer is a figure that answers to the hand. Its pictures are drawn in the reader's browser, but nothing is
-//! computed there in another language: the questions below are put to this module, compiled to WebAssembly (see
-//! `book/explorers`). The answers come from [motions](crate) alone.
-//!
-//! A question is a number of [`QUESTIONS`] with up to four arguments, its answer a list of values and a list of
-//! curves, so that one narrow door serves all.
+//! Pictures are drawn in the reader's browser, but computed by this module, compiled to WebAssembly (see `book/explorers`). A
+//! question is a number of [`QUESTIONS`] with up to four arguments, its answer a list of values and one of curves.
 
 pub mod anisotropic;
 pub mod constant;
@@ -24,13 +20,13 @@ use crate::drive::DriveError;
 pub struct Answer {
     /// The values, in the order that the question names.
     pub values: Vec<f64>,
-    /// The curves, point by point, in the order that the question names.
+    /// Point by point, in the order that the question names.
     pub curves: Vec<Vec<[f64; 2]>>,
 }
 
 impl Answer {
-    /// The answer as one list: the number of values, the values, the number of curves, and for each curve the
-    /// number of its points and their coordinates.
+    /// As one list: the number of values, the values, the number of curves, and for each curve the number of its points and their
+    /// coordinates.
     pub fn flat(&self) -> Vec<f64> {
         let mut list = vec![self.values.len() as f64];
         list.extend(&self.values);
@@ -64,7 +60,7 @@ pub enum ExplorerError {
 /// A question with its arguments; those that it has no use for are ignored.
 pub type Question = fn([f64; 4]) -> Result<Answer, ExplorerError>;
 
-/// The questions, by the number under which the browser puts them.
+/// By the number under which the browser puts them.
 pub const QUESTIONS: [Question; 14] = [
     |[lambda, theta, ..]| constant::motion(lambda, theta),
     |[lambda, ..]| constant::portrait(lambda),
@@ -91,15 +87,12 @@ pub fn answer(number: usize, arguments: [f64; 4]) -> Result<Answer, ExplorerErro
     question.ok_or(ExplorerError::Question { number })?(arguments)
 }
 
-/// Pictures in a film of given length, beside the first.
 const PICTURES: u32 = 480;
 
-/// 1 for yes, 0 for no.
 fn flag(truth: bool) -> f64 {
     f64::from(u8::from(truth))
 }
 
-/// `n + 1` numbers at equal distances, from `from` to `to`.
 fn spread(from: f64, to: f64, n: u32) -> impl Iterator<Item = f64> + Clone {
     (0..=n).map(move |i| from + (to - from) * (f64::from(i) / f64::from(n)))
 }

@@ -6,14 +6,14 @@ use crate::MotionError;
 use crate::drive::{Drive, DriveError, Friction};
 use std::f64::consts::{PI, TAU};
 
-/// A drive, and the displacement and the velocity of the floor that it shakes, in the laboratory, at a phase.
+/// The drive, and the displacement and velocity of the floor that it shakes, in the laboratory.
 struct Shaken {
     drive: Drive,
     floor: Box<dyn Fn(f64) -> [f64; 2]>,
 }
 
 impl Shaken {
-    /// Pulses that fill the share η of each half period; without any, the sine.
+    /// In the share η of each half period; without any, the sine.
     fn new(third: f64, eta: f64) -> Result<Self, ExplorerError> {
         match eta {
             0.0 => Ok(Self::sine(third)?),
@@ -44,7 +44,6 @@ impl Shaken {
     /// 1 for 0 < φ < ηπ, −1 half a period later, 0 in the gaps.
     fn pulses(eta: f64) -> Result<Self, DriveError> {
         let end = eta * PI;
-        // The half of the period, with its sign, and the phase within it.
         let half = |phi: f64| match phi.rem_euclid(TAU) {
             phi if phi < PI => (1.0, phi),
             phi => (-1.0, phi - PI),
@@ -53,7 +52,7 @@ impl Shaken {
             let (sign, phi) = half(phi);
             if phi < end { sign } else { 0.0 }
         };
-        // In a gap the floor goes on with the velocity that it has.
+        // In a gap the floor keeps its velocity.
         let floor = move |phi: f64| {
             let (sign, phi) = half(phi);
             let pushed = phi.min(end);
@@ -68,8 +67,8 @@ impl Shaken {
     }
 }
 
-/// The motion from the velocity `w` at φ = 0, with `third` times as much of the third harmonic as of the sine; or under pulses
-/// of size 1 that fill the share `eta` of each half period, if that is not 0.
+/// The motion from the velocity `w` at φ = 0, with `third` times as much of the third harmonic as of the sine; or, if `eta` is
+/// not 0, under pulses of size 1 that fill this share of each half period.
 ///
 /// Values: those of [`tray::motion`]. Curves: its own, then the drive over four periods.
 ///

@@ -4,7 +4,6 @@ use super::{Answer, ExplorerError, PICTURES, anisotropic::drive, spread};
 use crate::drive::PlanarState;
 use std::f64::consts::TAU;
 
-/// Periods shown.
 const SHOWN: f64 = 4.0;
 /// The logarithm of a velocity across is shown down to here.
 const DEEPEST: f64 = -1e3;
@@ -25,7 +24,6 @@ pub fn film(lambda0: f64, along: f64, across: f64) -> Result<Answer, ExplorerErr
         w_x: along,
         ln_w_y: libm::log(across),
     };
-    // The pictures, and a state halfway between two.
     let phases: Vec<f64> = spread(0.0, SHOWN * TAU, 2 * PICTURES).collect();
     let states = drive()?.planar(lambda0, start, &phases)?;
     let gone = states.iter().find(|s| s.ln_w_y == f64::NEG_INFINITY);
@@ -39,7 +37,7 @@ pub fn film(lambda0: f64, along: f64, across: f64) -> Result<Answer, ExplorerErr
                 place[k] += step / 6.0 * (a[k] + 4.0 * b[k] + c[k]);
             }
         }
-        // The inertial force is the sine of the phase, so the floor accelerates by its opposite.
+        // The floor accelerates by the opposite of the inertial force.
         let (sine, cosine) = libm::sincos(state.phi);
         curves[0].push([sine, place[0]]);
         curves[1].push([cosine, state.w_x]);

@@ -5,9 +5,8 @@ use crate::numerics::error::plain;
 use crate::scene::{Doing, Moment, Scene, SceneError, Second, columns};
 use crate::{FitError, fitted::Recording};
 
-/// Points of a path, beside the first.
 const POINTS: f64 = 400.0;
-/// Stretches of time into which a recording with more rows than twice as many is drawn together.
+/// Of time; a recording with more rows than twice as many is drawn together.
 const STRETCHES: usize = 600;
 
 /// What becomes of a scene, or what is in a recording, in lines whose cells stand behind tabs; `error` and the reason where there is no answer.

@@ -5,7 +5,6 @@ use crate::sphere::{Ball, BallMotion, Contact, Sphere};
 use crate::{MotionError, Plane, Signal};
 use std::f64::consts::TAU;
 
-/// Periods that are followed.
 const PERIODS: f64 = 4.0;
 
 /// The motion of a sphere with I = κmR² on a plane with A = −A₀ sin(ϖt) x̂, where friction is λ₀ = bμg/A₀ with

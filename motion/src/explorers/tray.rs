@@ -4,9 +4,8 @@ use super::{Answer, ExplorerError, PICTURES, spread};
 use crate::drive::{Attractor, Drive, DriveError, DriveState, Friction, Interval, Sign};
 use std::f64::consts::TAU;
 
-/// Periods shown of the motion from the start.
 const SHOWN: f64 = 4.0;
-/// Far more periods than any motion here takes to become periodic.
+/// Far more than any motion here takes to become periodic.
 const PERIODS: u32 = 200;
 
 /// The periodic motion that the velocity `w` at φ = 0 leads to, and what is shown of the way there.
@@ -82,7 +81,7 @@ pub fn film(
     })
 }
 
-/// The periodic motion that a start leads to. The mean of the drive has to be zero: then none drifts.
+/// The drive's mean has to be zero: then none drifts.
 pub(super) fn attractor(
     drive: &Drive,
     friction: Friction,

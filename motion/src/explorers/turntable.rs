@@ -5,22 +5,18 @@ use crate::MotionError;
 use crate::turntable::{Fate, Start, State, Table, fate, fate::rests, intrinsic, rotating};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Time between the points of a path.
 const STEP: f64 = 0.04;
-/// No path is followed longer, or farther out.
 const LONGEST: f64 = 60.0;
 const FARTHEST: f64 = 6.0;
-/// How long a path is followed after its escape is certain.
 const AFTER: f64 = 8.0;
-/// From the logarithm of what time on, to what time, the growth is shown.
+/// In logarithms of the time.
 const EARLY: f64 = 0.5;
 const LATE: f64 = 1e4;
-/// Steps along each side of the first survey of the velocities, and the largest of their components.
+/// Steps along each side of the first survey of velocities, and their largest component.
 const SURVEY: u32 = 10;
 const LARGEST: f64 = 3.0;
-/// Points of the boundary, and to what its distance from the middle is found: less than a picture shows.
+/// Points of the boundary, and to what they are found: less than a picture shows.
 const AROUND: u32 = 96;
-/// Points while a hand moves.
 const COARSE: u32 = 48;
 const WIDTH: f64 = 2e-3;
 
@@ -152,8 +148,7 @@ pub fn boundary(rho: f64, coarse: bool) -> Result<Answer, ExplorerError> {
     })
 }
 
-/// The distance up to which it rests, looked for from the one that is expected, if any is: as far around as it takes, then by
-/// bisection.
+/// Looked for from the expected one, if any, as far around as it takes, then by bisection.
 fn edge(
     rests: impl Fn(f64) -> Result<bool, MotionError>,
     expected: f64,
@@ -193,7 +188,6 @@ mod tests {
     #[test]
     fn a_growth_ends_with_the_rest() {
         let shown = |rho| growth(rho).unwrap().curves.remove(0);
-        // Shortly before the critical radius, 0.8719…, and beyond it.
         let Fate::Rest { sigma, tau, .. } = fate(&Start::put_down(0.8719).unwrap()).unwrap() else {
             panic!("it comes to rest")
         };
@@ -203,7 +197,6 @@ mod tests {
             decades <= libm::log10(tau) && libm::log10(tau) - decades < 0.05,
             "{decades} {tau}"
         );
-        // There it has nearly the distance at which it rests.
         let last = libm::exp10(decades);
         assert!((ratio * last * last - sigma).abs() < 0.1, "{ratio} {sigma}");
         let escaping = shown(1.0);

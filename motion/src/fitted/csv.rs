@@ -6,14 +6,14 @@ use crate::measure::median;
 /// What an accelerometer has written, in s and m/s².
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Recording {
-    /// Times, which rise, with A_x and A_y: [`Fitted::from_table`](super::Fitted::from_table) takes them as they are.
+    /// Times, which rise, with A_x and A_y, as [`Fitted::from_table`](super::Fitted::from_table) takes them.
     pub rows: Vec<(f64, [f64; 2])>,
-    /// A_z, along the normal of the floor, at the same times, if there is such a column.
+    /// A_z, along the normal of the floor, if there is such a column.
     pub normal: Option<Vec<f64>>,
 }
 
 impl Recording {
-    /// The text of a file: in UTF-8, or as Windows writes it, in UTF-16 with its mark or in Latin-1.
+    /// A file's text: in UTF-8, or as Windows writes it, in UTF-16 with its mark or in Latin-1.
     pub fn decoded(file: Vec<u8>) -> String {
         match &file[..] {
             [0xff, 0xfe, rest @ ..] => {
@@ -36,12 +36,11 @@ impl Recording {
         read_all(text, columns, true)
     }
 
-    /// The usual step of time.
     fn step(&self) -> f64 {
         median(self.rows.windows(2).map(|pair| pair[1].0 - pair[0].0))
     }
 
-    /// The first row behind a gap, counted from 0: a step of more than eight usual ones, where rows may have been lost.
+    /// The first row behind a step of more than eight usual ones, counted from 0: rows may have been lost.
     pub fn gap(&self) -> Option<usize> {
         let most = GAP * self.step();
         let long = |pair: &[(f64, [f64; 2])]| most > 0.0 && pair[1].0 - pair[0].0 > most;
@@ -50,10 +49,10 @@ impl Recording {
     }
 }
 
-/// Which columns [`Fitted::from_csv_with`](super::Fitted::from_csv_with) reads, where the head does not say so by itself.
+/// Columns for [`Fitted::from_csv_with`](super::Fitted::from_csv_with), where the head does not say them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Columns<'a> {
-    /// The column of the times: its head, with or without the unit, or its number from 1.
+    /// Of the times: its head, with or without the unit, or its number from 1.
     pub time: Option<&'a str>,
     /// That of A_x. If this or that of A_y is given, the other is zero where it is not.
     pub x: Option<&'a str>,
@@ -61,15 +60,15 @@ pub struct Columns<'a> {
     pub y: Option<&'a str>,
     /// That of A_z, which only a [`Recording`] has.
     pub z: Option<&'a str>,
-    /// Unit of the times in place of the head's: s, ms, us, ns, min or h.
+    /// In place of the head's: s, ms, us, ns, min or h.
     pub time_unit: Option<&'a str>,
-    /// Unit of the accelerations in place of the head's: m/s^2, mm/s^2, cm/s^2, km/s^2, ft/s^2, in/s^2, g or mg.
+    /// In place of the head's: m/s^2, mm/s^2, cm/s^2, km/s^2, ft/s^2, in/s^2, g or mg.
     pub unit: Option<&'a str>,
-    /// Whether gaps are bridged: steps of more than eight times the usual one.
+    /// Steps of more than eight times the usual one are bridged.
     pub gaps: bool,
 }
 
-/// A step that is so many times the usual one is a gap: a few rows may have been lost, or passed over.
+/// In usual steps: a few rows may have been lost, or passed over.
 const GAP: f64 = 8.0;
 /// Without a unit a usual step of more seconds is hardly one of an accelerometer,
 const SLOW: f64 = 1.0;
@@ -77,14 +76,12 @@ const SLOW: f64 = 1.0;
 const STRONG: f64 = 200.0;
 /// nor that gravity is this: it is in g.
 const ONE_G: std::ops::Range<f64> = 0.8..1.2;
-/// Among so many lines titles may stand before the head.
 const TITLES: usize = 10;
 
 pub(super) fn rows(text: &str, asked: &Columns) -> Result<Vec<(f64, [f64; 2])>, FitError> {
     read_all(text, asked, false).map(|recording| recording.rows)
 }
 
-/// What is refused, with its line.
 pub(super) fn refuse(line: usize, text: &str, why: &'static str) -> FitError {
     FitError::Line {
         line,
@@ -105,7 +102,6 @@ fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording,
         .zip(all())
         .filter(|(_, line)| !passed(line))
         .peekable();
-    // A spreadsheet's word for its separator.
     let stated = lines.next_if(|(_, line)| line.trim_matches('"').starts_with("sep="));
     let parts = |line: &str| {
         let several = |c: &char| cells(line, *c).len() > 1;
@@ -152,7 +148,6 @@ fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording,
     let Places { time, axes, bare } = places.map_err(|why| refuse(number, first, why))?;
     let (mut rows, mut normal, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
     let (mut sign, mut clock) = (None, Clock::default());
-    // A line without a value, until it is known whether more follow.
     let mut lost = None;
     for (n, line) in lines {
         let cells = cells(line, separator);
@@ -226,7 +221,6 @@ fn is_empty(cell: &str) -> bool {
     cell.is_empty() || cell.eq_ignore_ascii_case("nan")
 }
 
-/// The cells of a line, without their quotes. Spaces separate however many they are.
 fn cells(line: &str, separator: char) -> Vec<&str> {
     let mut quoted = false;
     line.split(|c| {
@@ -242,7 +236,6 @@ fn parsed(cell: &str) -> Option<f64> {
     cell.replace(',', ".").replace('−', "-").parse().ok()
 }
 
-/// A number, with the decimal sign of the file.
 pub(super) fn read(
     cell: &str,
     separator: char,
@@ -266,16 +259,14 @@ const NO_TIME: &str = "such times are hardly in seconds: their head has to say t
 const SEVERAL: &str =
     "several columns are the acceleration along the same axis: choose of the columns: x=2";
 
-/// Where t, A_x, A_y and A_z stand, and what they have to be multiplied by to be in s and m/s².
+/// Where t, A_x, A_y and A_z stand, and their factors to be in s and m/s².
 struct Places {
-    /// A time of the clock needs no unit.
     time: (usize, Option<f64>),
     axes: [Option<(usize, f64)>; 3],
     /// Whether a head says no unit of time, and none of acceleration.
     bare: [bool; 2],
 }
 
-/// The one that there is, if any.
 fn only(
     mut of: impl Iterator<Item = usize>,
     several: &'static str,
@@ -284,7 +275,7 @@ fn only(
     of.next().map_or(Ok(first), |_| Err(several))
 }
 
-/// Finds the columns: by what is asked for, by the names in the head and, if there is one, the line of units below.
+/// By what is asked for, by the names in the head and by the line of units below it.
 fn places(
     heads: &[Vec<&str>],
     count: usize,
@@ -319,7 +310,7 @@ fn places(
         Some(name) => find(name)?,
         None if names.is_empty() => 0,
         None => {
-            // One that says that it is in seconds goes before those in other units, and these before those that say none.
+            // Seconds before other units, and these before none.
             let rank = |column: &Column| match seconds(&column.unit) {
                 Some(size) => u8::from(size != 1.0),
                 None => 2,
@@ -398,10 +389,9 @@ fn places(
     })
 }
 
-/// What the head says of a column.
 struct Column {
     words: Vec<String>,
-    /// Its unit without what can be written in several ways; nothing where none is said.
+    /// [`plain`]; empty where none is said.
     unit: String,
 }
 
@@ -478,7 +468,7 @@ impl Column {
             || self.unit.len() > 1 && seconds(&self.unit).is_some()
     }
 
-    /// Whether it is one along this axis, by name or by unit; one along none where no axis is named.
+    /// By name or by unit; along none where no axis is named.
     fn is_acceleration(&self, along: Option<char>) -> bool {
         let axis_of = |word: &String| axis(word).map(|(axis, _)| axis);
         let short = match &self.words[..] {
@@ -502,12 +492,11 @@ impl Column {
     }
 }
 
-/// Whether a word means acceleration.
 fn is_acceleration(word: &str) -> bool {
     word == "gf" || word.ends_with("acc") || ACCELERATION.iter().any(|part| word.contains(part))
 }
 
-/// The axis of a word that is one, or a short form of acceleration with one, and what stands before it.
+/// Of a word that is one, or a short form of acceleration with one; and what stands before it.
 fn axis(word: &str) -> Option<(char, &str)> {
     let axis = word
         .chars()
@@ -517,7 +506,7 @@ fn axis(word: &str) -> Option<(char, &str)> {
     ("acceleration".starts_with(rest) || is_acceleration(rest)).then_some((axis, rest))
 }
 
-/// A unit without what can be written in several ways.
+/// Without what can be written in several ways.
 pub(super) fn plain(unit: &str) -> String {
     let mut unit = unit.to_lowercase();
     unit.retain(|c| !c.is_whitespace() && !"^*.()[]{}·⋅".contains(c));
@@ -573,7 +562,7 @@ pub(super) fn of_acceleration(unit: &str) -> Option<f64> {
     })
 }
 
-/// The standard acceleration of gravity, in m/s².
+/// In m/s².
 pub(crate) const G: f64 = 9.806_65;
 
 #[cfg(test)]
@@ -620,8 +609,7 @@ mod tests {
         }
     }
 
-    /// One column, whatever stands beside it, is an acceleration by its name or its unit: below `= 9.80665` those that are in g, below
-    /// `= none` those that are none.
+    /// Below `= 9.80665` those in g, below `= none` those that are none.
     #[test]
     fn a_head_says_what_its_column_is() {
         let mut size = None;

@@ -5,13 +5,12 @@ use super::{
     csv::{of_acceleration, plain, refuse},
 };
 
-/// Times with A_x and A_y.
 type Rows = Vec<(f64, [f64; 2])>;
 
-/// The lines among which the number and the step of the values are said.
+/// Among which the number and the step of the values are said.
 const HEAD: usize = 10;
 
-/// The rows along x, if these are lines of such a record.
+/// Along x, if these are lines of such a record.
 pub(super) fn rows<'a>(
     lines: impl Iterator<Item = &'a str>,
     asked: &Columns,

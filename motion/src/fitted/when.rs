@@ -7,7 +7,7 @@ const MONTHS: [&str; 12] = [
     "jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec",
 ];
 
-/// The first time of a file, from which all are counted.
+/// All times are counted from the first of the file.
 #[derive(Default)]
 pub(super) struct Clock {
     first: Option<(i64, f64)>,
@@ -16,7 +16,7 @@ pub(super) struct Clock {
 }
 
 impl Clock {
-    /// Seconds since the first time; nothing for a number.
+    /// Since the first time; nothing for a number.
     pub(super) fn read(
         &mut self,
         cell: &str,
@@ -58,7 +58,6 @@ impl Clock {
     }
 }
 
-/// The number of a day, counted from one far back.
 fn day(date: &str) -> Option<i64> {
     let parts: Vec<_> = date.trim().split('-').collect();
     let [a, b, c] = parts[..] else { return None };

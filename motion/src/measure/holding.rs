@@ -7,14 +7,13 @@ use super::{
     sensor::Sensor,
 };
 
-/// The most rows of rest by which a curve is laid.
+/// Rows of rest by which a curve is laid.
 const MOST: usize = 256;
-/// From less than this part of the slip's ratio it has to rise, or to as much more.
+/// Of the slip's ratio; or to as much more.
 const RISE: f64 = 0.9;
-/// A curve serves its rows if these are off it by less than so many times the noise, in squares.
 const FITS: f64 = 2.0;
 
-/// Between which coefficients it held or did not; and what the body bears at most, as far as is known.
+/// The interval of μ_s, and what the body bears at most, as far as is known.
 pub(super) fn holding(
     sensor: &Sensor,
     pieces: &[Piece],
@@ -44,14 +43,14 @@ pub(super) fn holding(
     (Ok(Interval { from, to }), to)
 }
 
-/// The ratio at which a slip began, and its variance, if it began from rest: by a rise in the direction that friction keeps.
+/// With its variance; from rest, by a rise in the direction that friction keeps.
 fn loose(sensor: &Sensor, pieces: &[Piece], slip: &Piece) -> Option<(f64, f64)> {
     let at = pieces.partition_point(|piece| piece.from < slip.from);
     // The rows across which it broke loose may be a piece of their own.
     let mut before = pieces[..at].iter().rev();
     let long = before.find(|piece| piece.to - piece.from > BLOCK);
     let long = long.filter(|rest| rest.to + 2 * BLOCK >= slip.from);
-    // A steep rise has hardly any rows; and what bends is cut into the shortest pieces where there is hardly any noise.
+    // A steep rise has hardly any rows; and what bends is cut into the shortest pieces without noise.
     let short = slip.from.checked_sub(3 * BLOCK).map(|from| {
         let to = slip.from - BLOCK;
         let line = sensor.line([from, to]);
@@ -62,7 +61,6 @@ fn loose(sensor: &Sensor, pieces: &[Piece], slip: &Piece) -> Option<(f64, f64)> 
         let [begin, end] = [rest.from, rest.to - 1].map(|k| rest.line.at(sensor.t[k]));
         !(begin > RISE * level && end < level / RISE) && rest.line.slope() > 0.0
     })?;
-    // The longest curve that serves its rows, or the shortest, with what it leaves as noise.
     let tried = [MOST, MOST / 4, MOST / 16, 2 * BLOCK].map(|most| broke(sensor, &rest, slip, most));
     let fits = |one: &&(f64, f64, f64, usize)| one.2 < FITS;
     let all = || tried.iter().flatten();
@@ -78,8 +76,7 @@ fn loose(sensor: &Sensor, pieces: &[Piece], slip: &Piece) -> Option<(f64, f64)> 
     (same && value + 3.0 * error > level && error < part * value).then_some((value, variance))
 }
 
-/// The ratio at which it broke loose by the last rows of a rest, at most so many, its variance, by how much more than noise the rows are
-/// off, and the first one that slips.
+/// By the last rows of a rest; with its variance, by how much more than noise the rows are off, and the first row that slips.
 fn broke(
     sensor: &Sensor,
     rest: &Piece,
@@ -100,7 +97,6 @@ fn broke(
     let mut best: Option<(f64, f64, f64, usize)> = None;
     for k in first..after {
         if k >= (rest.to - BLOCK).max(first + BLOCK) {
-            // Each row may be the first that slips.
             let rows = sensor.ratio[k..after].iter();
             let left = rise.left + rows.map(|y| (y - level).powi(2) / noise).sum::<f64>();
             let ((here, doubt), (next, _)) =

@@ -6,33 +6,29 @@ use super::{
     sensor::{SAME, Sensor},
 };
 
-/// The fewest rows of a plateau.
 const ROWS: usize = 8;
-/// How much of its level a plateau may change from its beginning to its end.
+/// As a part of its level, from beginning to end.
 const FLAT: f64 = 0.2;
-/// The most that a plateau is rough, as a part of its level, beside the noise of the sensor.
+/// As a part of its level, beside the noise of the sensor.
 const ROUGH: f64 = 0.2;
-/// Plateaus of another level with so many rows of those of the first speak against it.
+/// As a part of the rows of the first level.
 const OTHERS: f64 = 0.25;
-/// The part of all rows without rest that slips have at least, where a piece counts as the longest of them at most: in what is shaken and
-/// sticks some plateaus are chance, but a board is raised slowly.
+/// Of all rows without rest, where a piece counts as the longest slip at most: in what is shaken and sticks some plateaus are
+/// chance, but a board is raised slowly.
 const SHARE: f64 = 0.08;
-/// The least ratio of a slip: below it a sensor's zeros decide.
+/// Below this ratio a sensor's zeros decide.
 const LEAST: f64 = 0.02;
-/// So many parts at least a coefficient is averaged from.
 const PARTS: usize = 12;
 /// The variance of what nothing is known of, in those of a row.
 const FREE: f64 = 1e8;
-/// How many rows before a plateau a blow may be.
 const BLOW: usize = 16;
-/// As many plateaus are tried for the level of most: the longest.
 const TRIED: usize = 64;
-/// What is less than this part of the coefficient does not speak against Coulomb's law, however sure it is,
+/// What is less, as a part of the coefficient, does not speak against Coulomb's law, however sure it is,
 const SLIGHT: f64 = 0.02;
 /// and neither does what is less sure than so many standard errors.
 const SURE: f64 = 4.0;
 
-/// Pieces that are flat, and neither rise nor fall smoothly into their neighbours.
+/// Flat pieces that do not rise or fall smoothly into their neighbours.
 fn plateaus(sensor: &Sensor, pieces: &[Piece]) -> Vec<Piece> {
     let fit = |piece: &&Piece| {
         is_flat(sensor, piece) && is_sharp(sensor, piece) && !is_caught(sensor, piece)
@@ -52,21 +48,20 @@ fn is_flat(sensor: &Sensor, piece: &Piece) -> bool {
         && change(sensor, piece).0.abs() < FLAT * line.y
 }
 
-/// By how much the ratio changes along a piece, and the error of that.
+/// Along a piece, with its error.
 fn change(sensor: &Sensor, piece: &Piece) -> (f64, f64) {
     let last = sensor.t[piece.to - 1] - sensor.t[piece.from];
     let error = libm::sqrt(sensor.alike * piece.line.variance() / piece.line.tt);
     (last * piece.line.slope(), last * error)
 }
 
-/// Whether it changes so little that it can be a slip by Coulomb's law.
 fn is_level(sensor: &Sensor, piece: &Piece) -> bool {
     let (change, error) = change(sensor, piece);
     change.abs() < (SLIGHT * piece.line.y).max(SURE * error)
 }
 
-/// Whether a plateau and what lies around it, half as long before and after it, are less like one quartic than like three lines: a
-/// factor of 10⁴ at least. Nothing counts of how far away it is around, nor of the rows next to the plateau.
+/// Whether a plateau and its surroundings, half as long on either side, are less like one quartic than like three lines, by a
+/// factor of 10⁴. The rows next to the plateau do not count.
 fn is_sharp(sensor: &Sensor, piece: &Piece) -> bool {
     let margin = (piece.to - piece.from).div_ceil(2).max(BLOCK);
     let before = piece.from.saturating_sub(BLOCK);
@@ -96,8 +91,7 @@ fn is_sharp(sensor: &Sensor, piece: &Piece) -> bool {
     rows * libm::log((quartic.left + floor) / (lines + floor)) > 10.0 * sensor.alike
 }
 
-/// Whether a blow comes before it in its own direction: a stop has caught the body, and may hold it. One that has been pushed slips
-/// with friction against the push.
+/// A blow comes before it in its own direction: a stop may hold the body. A pushed body slips with friction against the push.
 fn is_caught(sensor: &Sensor, piece: &Piece) -> bool {
     let size = |k: &usize| sensor.ratio[*k];
     let before = piece.from.saturating_sub(BLOW)..(piece.from + 2).min(piece.to);
@@ -108,7 +102,7 @@ fn is_caught(sensor: &Sensor, piece: &Piece) -> bool {
     })
 }
 
-/// The plateaus that have a level in common on which the body is longest; and whether there are some that may be a rest on a tilted floor.
+/// Those of [`sliding`] that are slips, and whether some may be a rest on a tilted floor.
 pub(crate) fn slips(sensor: &Sensor, pieces: &[Piece]) -> (Vec<Piece>, bool) {
     let mut all = plateaus(sensor, pieces);
     // What rises or falls slowly may be a rest on a board that is raised.
@@ -131,8 +125,8 @@ pub(crate) fn slips(sensor: &Sensor, pieces: &[Piece]) -> (Vec<Piece>, bool) {
     (all, rests)
 }
 
-/// The plateaus that have a level in common on which the body is longest, but for those that may be a rest on a tilted floor, and whether there
-/// are such.
+/// With a common level on which the body is longest, but for those that may be a rest on a tilted floor; and whether there are
+/// such.
 fn sliding(sensor: &Sensor, pieces: &[Piece], mut all: Vec<Piece>) -> (Vec<Piece>, bool) {
     let mut rests = false;
     let weight = sensor.weight(&all);
@@ -166,7 +160,6 @@ fn top(sensor: &Sensor, pieces: &[Piece], plateaus: &[Piece]) -> f64 {
     })
 }
 
-/// The plateaus about the level on which most rows lie, as one.
 fn commonest(sensor: &Sensor, plateaus: &[Piece]) -> Line {
     let mut longest: Vec<_> = plateaus.iter().collect();
     longest.sort_by(|a, b| b.line.rows.total_cmp(&a.line.rows));
@@ -182,29 +175,26 @@ fn commonest(sensor: &Sensor, plateaus: &[Piece]) -> Line {
         .unwrap_or_default()
 }
 
-/// The rows of a plateau but for its ends, which a sensor's filter, or a stop, may have touched.
+/// The rows but for the ends, which a filter, or a stop, may have touched.
 fn core(piece: &Piece) -> [usize; 2] {
     let rows = piece.to - piece.from;
     let end = 4.min(rows / 4) + rows / 20;
     [piece.from + end, piece.to - end]
 }
 
-/// The coefficient in these rows, and the mean of N/m. Rows that are far off their middle do not count, as those between two slips
-/// to and fro; a size is greater by noise across.
+/// The coefficient, and the mean of N/m. Rows far off their middle do not count, as those between two slips; a size is
+/// greater by noise across.
 fn coefficient(sensor: &Sensor, [from, to]: [usize; 2]) -> (f64, f64) {
     let middle = median(sensor.ratio[from..to].iter().copied());
     let off = |k: usize| (sensor.ratio[k] - middle).abs();
-    // The deviation of a normal distribution is 1.48 of the median of its sizes.
     let far = (1.48 * median((from..to).map(off))).max(libm::sqrt(sensor.floor(from)));
     let near = (from..to).filter(|k| off(*k) <= 4.0 * far);
-    // The mean and the squares of the sizes.
     let sizes = Line::through(near.map(|k| (sensor.n[k], sensor.ratio[k] * sensor.n[k])));
     let across = 0.5 * (sensor.axes - 1.0) * sizes.yy / (sizes.rows * sizes.y);
     ((sizes.y - across) / sizes.t, sizes.t)
 }
 
-/// Least squares for the coefficient and the zeros, of which something is known: between which numbers it lies, and how far these
-/// are off.
+/// Least squares for the coefficient and the zeros, from what is known of these; and how far they are off.
 pub(crate) fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
     let each = PARTS.div_ceil(slips.len());
     let mut parts = Vec::new();
@@ -224,7 +214,7 @@ pub(crate) fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
     let free = parts.len() as f64 - 1.0;
     let [x, y] = sensor.shifted.map(|x| -x);
     let before = Squares::new([parts[0].1, x, y], [1.0, sensor.doubt, sensor.doubt]);
-    // How far the parts scatter about the coefficient says what a row weighs.
+    // The parts' scatter about the coefficient says what a row weighs.
     let (mut all, mut scatter) = (before, 1.0);
     for _ in 0..3 {
         all = before;
@@ -250,13 +240,12 @@ pub(crate) fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
     )
 }
 
-/// What 95 % of Student's t with so many degrees of freedom are below, in size: right to 2 % from three on.
+/// 95 % are below, in size: right to 2 % from three degrees of freedom on.
 pub(crate) fn student(free: f64) -> f64 {
     let free = free.max(1.0);
     1.96 + 2.372 / free + 2.823 / (free * free) + 2.5 / free.powi(3)
 }
 
-/// Whether the slips agree among each other and within.
 pub(crate) fn verdict(sensor: &Sensor, pieces: &[Piece], slips: &[Piece]) -> Verdict {
     let all = slips
         .iter()
@@ -297,7 +286,7 @@ pub(crate) fn verdict(sensor: &Sensor, pieces: &[Piece], slips: &[Piece]) -> Ver
     }
 }
 
-/// The mean of numbers with variances, its error, by these or by how they scatter, and χ².
+/// With its error, by the variances or by how they scatter, and χ².
 pub(crate) fn mean(list: &[(f64, f64)]) -> [f64; 3] {
     let sum = |of: &dyn Fn(f64) -> f64| list.iter().map(|(x, v)| of(*x) / v).sum::<f64>();
     let weight = sum(&|_| 1.0);

@@ -5,12 +5,11 @@ use std::{
     collections::{BTreeMap, BinaryHeap},
 };
 
-/// Rows of the shortest piece.
 pub(super) const BLOCK: usize = 4;
-/// What counts for the noise of a piece beside its own rows: so many rows of the noise of all.
+/// So many rows of the noise of all count beside a piece's own rows.
 const BEFORE: f64 = 4.0;
 
-/// The straight line through rows, by their moments about their means.
+/// By the moments of its rows about their means.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Line {
     pub rows: f64,
@@ -60,24 +59,21 @@ impl Line {
         (self.yy - self.slope() * self.ty).max(0.0)
     }
 
-    /// The variance about the line.
     pub(super) fn variance(&self) -> f64 {
         self.left() / (self.rows - 2.0).max(1.0)
     }
 }
 
-/// Least squares, one row after the other: numbers of which what is measured is a sum with known factors.
 #[derive(Clone, Copy)]
 pub(super) struct Squares<const N: usize> {
     pub found: [f64; N],
-    /// Their covariance.
     pub spread: [[f64; N]; N],
     /// What is left of the rows, in squares of their errors.
     pub left: f64,
 }
 
 impl<const N: usize> Squares<N> {
-    /// What is known before, as numbers with variances.
+    /// From what is known before, with variances.
     pub(super) fn new(found: [f64; N], variances: [f64; N]) -> Self {
         let mut spread = [[0.0; N]; N];
         for i in 0..N {
@@ -90,7 +86,6 @@ impl<const N: usize> Squares<N> {
         }
     }
 
-    /// What a row with these factors should be, and the variance of that.
     pub(super) fn expected(&self, x: &[f64; N]) -> (f64, f64) {
         (
             dot(x, &self.found),
@@ -98,7 +93,6 @@ impl<const N: usize> Squares<N> {
         )
     }
 
-    /// Takes in a row that has an error of this variance.
     pub(super) fn add(&mut self, x: &[f64; N], y: f64, variance: f64) {
         let (value, doubt) = self.expected(x);
         let (off, all) = (y - value, doubt + variance);
@@ -140,8 +134,7 @@ impl Piece {
     }
 }
 
-/// Cuts rows into pieces, with the variance of the noise where there is least of it. Neighbours stay apart that are less likely one
-/// by a factor exp(`penalty`/2). O(n log n).
+/// Neighbours stay apart that are less likely one by a factor exp(`penalty`/2). O(n log n).
 pub(super) fn cut(t: &[f64], y: &[f64], noise: f64, penalty: f64) -> Vec<Piece> {
     let n = t.len();
     let block = |k: usize| {
@@ -156,7 +149,6 @@ pub(super) fn cut(t: &[f64], y: &[f64], noise: f64, penalty: f64) -> Vec<Piece> 
     };
     let mut pieces: BTreeMap<_, _> = (0..n / BLOCK).map(block).collect();
     let mut heap = BinaryHeap::new();
-    // What is lost by making one of a piece and the next.
     let offer = |heap: &mut BinaryHeap<_>, pieces: &BTreeMap<usize, Piece>, from: usize| {
         let mut two = pieces.range(from..).map(|(_, piece)| piece);
         if let (Some(a), Some(b)) = (two.next(), two.next()) {
@@ -175,7 +167,6 @@ pub(super) fn cut(t: &[f64], y: &[f64], noise: f64, penalty: f64) -> Vec<Piece> 
         let (Some(left), Some(right)) = (pieces.get(&a), pieces.get(&b)) else {
             continue;
         };
-        // One of them may have grown since.
         if left.to != b || right.to != to {
             continue;
         }

@@ -6,16 +6,14 @@ use super::{
 };
 use crate::fitted::Recording;
 
-/// The latest time: after the year 2100, counted in seconds from 1970.
+/// After the year 2100, counted in seconds from 1970.
 const LATEST: f64 = 1e10;
-/// How long a stretch has to be quiet to be a rest, in s, and how many rows it has.
+/// In s and in rows.
 const QUIET: f64 = 0.25;
 const QUIET_ROWS: usize = 16;
 const QUIETER: f64 = 3.0;
-/// How far levels that are one may lie apart, as a part of them.
 pub(crate) const SAME: f64 = 0.06;
 
-/// A recording, ready to be looked at.
 pub(crate) struct Sensor {
     pub t: Vec<f64>,
     /// Along the floor.
@@ -26,19 +24,18 @@ pub(crate) struct Sensor {
     pub ratio: Vec<f64>,
     /// Variance of the noise along an axis.
     pub noise: f64,
-    /// By what it multiplies the variance of a mean that neighbours are alike.
+    /// The factor of a mean's variance, as neighbours are alike.
     pub alike: f64,
-    /// Variance of what digits leave out of all rows alike, where noise does not blur them.
+    /// Variance of what digits leave out of all rows alike.
     pub digits: f64,
-    /// How many axes there are.
     pub axes: f64,
     pub zeroed: bool,
     pub measured: bool,
     pub g: f64,
-    /// What has been taken off f since its zeros were known to this variance.
+    /// Taken off f since its zeros were known to this variance.
     pub shifted: [f64; 2],
     pub doubt: f64,
-    /// The variance of the zero of N/m.
+    /// Variance of the zero of N/m.
     pub doubt_across: f64,
 }
 
@@ -119,7 +116,7 @@ impl Sensor {
         } else {
             vec![g; rows]
         };
-        // Where it was quiet for some windows, noise may still be correlated over a part of one.
+        // Where it was quiet for some windows, noise may be correlated over a part of one.
         let doubt = if zeroed {
             4.0 * alike * noise / rest.len() as f64 + digits
         } else {
@@ -146,7 +143,6 @@ impl Sensor {
         Ok(sensor)
     }
 
-    /// Takes an offset off.
     pub(crate) fn shift(&mut self, offset: [f64; 2]) {
         for f in &mut self.f {
             *f = [f[0] - offset[0], f[1] - offset[1]];
@@ -156,25 +152,23 @@ impl Sensor {
         self.ratio = self.f.iter().zip(&self.n).map(size).collect();
     }
 
-    /// Straight pieces of the ratio.
     pub(crate) fn pieces(&self) -> Vec<Piece> {
         let n = median(self.n.iter().copied());
         let penalty = 4.0 * self.alike * libm::log(self.t.len() as f64);
         cut(&self.t, &self.ratio, self.noise / (n * n), penalty)
     }
 
-    /// The variance of the ratio's noise in a row.
+    /// Variance of the ratio's noise.
     pub(crate) fn floor(&self, row: usize) -> f64 {
         self.noise / (self.n[row] * self.n[row])
     }
 
-    /// Whether two ratios may be one: to and fro they differ by what is unknown of the zeros.
+    /// To and fro they differ by what is unknown of the zeros.
     pub(crate) fn near(&self, a: f64, b: f64) -> bool {
         let zeros = 4.0 * libm::sqrt(self.doubt) / self.n[0];
         (a - b).abs() < SAME * 0.5 * (a + b) + zeros
     }
 
-    /// The size of what is felt in a row.
     fn size(&self, row: usize) -> f64 {
         libm::hypot(1.0, self.ratio[row]) * self.n[row]
     }
@@ -185,7 +179,7 @@ impl Sensor {
         (median(rows.map(|k| self.size(k))), variance)
     }
 
-    /// What is felt at rest, and its variance: g, or nearly that in one of these plateaus, where z has an unknown zero.
+    /// With its variance: g, or nearly that in one of these plateaus, where z has an unknown zero.
     pub(crate) fn weight(&self, plateaus: &[Piece]) -> (f64, f64) {
         let off = |felt: &(f64, f64)| (felt.0 - self.g).powi(2);
         let long = plateaus
@@ -197,8 +191,8 @@ impl Sensor {
         best.unwrap_or((self.g, self.doubt_across))
     }
 
-    /// Whether plateaus may be a rest on a tilted floor, where `weight` is felt, or what is where hardly anything is along the floor: (g sin, g cos)
-    /// is of one size. A slip has more on level floor, and less where it began with a drop from the ratio `top` on a slope.
+    /// A rest on a tilted floor, where `weight` is felt: (g sin, g cos) is of one size. A slip has more on level floor, and less
+    /// where it began with a drop from the ratio `top` on a slope.
     pub(crate) fn may_rest(&self, plateaus: &[Piece], top: f64, weight: (f64, f64)) -> bool {
         let all = plateaus
             .iter()
@@ -223,12 +217,10 @@ impl Sensor {
         self.measured && ((few || one_way) && like(weight) || !few && like(self.felt(low)))
     }
 
-    /// The line through the ratio of these rows.
     pub(crate) fn line(&self, [from, to]: [usize; 2]) -> Line {
         Line::through((from..to).map(|k| (self.t[k], self.ratio[k])))
     }
 
-    /// The mean of f over these rows.
     pub(crate) fn mean(&self, [from, to]: [usize; 2]) -> [f64; 2] {
         let sum = self.f[from..to]
             .iter()
@@ -236,14 +228,13 @@ impl Sensor {
         sum.map(|sum| sum / (to - from) as f64)
     }
 
-    /// The cosine of the angle between f in some rows and in others.
+    /// Its cosine, of f in some rows and in others.
     pub(crate) fn angle(&self, here: [usize; 2], there: [usize; 2]) -> f64 {
         let [a, b] = [here, there].map(|rows| self.mean(rows));
         (a[0] * b[0] + a[1] * b[1]) / (libm::hypot(a[0], a[1]) * libm::hypot(b[0], b[1]))
     }
 }
 
-/// A stretch of rows, and the line of each axis.
 #[derive(Clone, Copy)]
 struct Window {
     rows: [usize; 2],
@@ -253,7 +244,6 @@ struct Window {
 }
 
 impl Window {
-    /// Whether it can be a rest: quiet, level, and small.
     fn is_still(&self, noise: f64, alike: f64, most: f64) -> bool {
         self.lines.iter().all(|line| {
             let (variance, rise) = (line.variance(), line.slope() * line.ty);
@@ -286,7 +276,7 @@ fn windows(t: &[f64], f: &[[f64; 2]]) -> Vec<Window> {
     (0..t.len() / rows).map(window).collect()
 }
 
-/// The variance of the noise, where no window is quiet: by third differences, in which hardly a motion is left.
+/// Variance of the noise where no window is quiet, by third differences.
 fn jitter(f: &[[f64; 2]], axes: f64) -> f64 {
     let third = |k: &[[f64; 2]], i: usize| k[3][i] - k[0][i] + 3.0 * (k[1][i] - k[2][i]);
     let sizes = f
@@ -296,7 +286,7 @@ fn jitter(f: &[[f64; 2]], axes: f64) -> f64 {
     median(sizes) / (20.0 * if axes > 1.0 { 1.386 } else { 0.455 })
 }
 
-/// The variance of the noise where it is quiet, and by what it multiplies that of a mean that neighbours are alike, as behind a filter.
+/// Variance of the noise, and by what it multiplies that of a mean that neighbours are alike, as behind a filter.
 fn quiet(windows: &[Window], axes: f64, rough: f64, most: f64) -> (f64, f64) {
     let (mut rows, mut next, mut left) = (0.0, 0.0, 0.0);
     // Third differences of what is alike are small.
@@ -317,7 +307,7 @@ fn quiet(windows: &[Window], axes: f64, rough: f64, most: f64) -> (f64, f64) {
     (left / rows, (1.0 + part) / (1.0 - part))
 }
 
-/// The variance of a last digit: of the least step, if most steps are whole numbers of it, or of a decimal place behind which there is nothing.
+/// Variance of the least step, if most are whole numbers of it, or of a decimal place behind which there is nothing.
 fn digit(f: &[[f64; 2]]) -> f64 {
     let of_axis = |i: usize| {
         let steps = f.windows(2).map(|pair| (pair[1][i] - pair[0][i]).abs());
@@ -340,7 +330,7 @@ fn digit(f: &[[f64; 2]]) -> f64 {
     of_axis(0).max(of_axis(1)).max(place)
 }
 
-/// The rows of quiet stretches with the same small mean: of the longest, and of all that agree with it.
+/// Of quiet stretches with the same small mean as the longest.
 fn rests(windows: &[Window], noise: f64, alike: f64, most: f64) -> Vec<usize> {
     let still = |window: &Window| window.is_still(noise, alike, most);
     let mut found: Vec<Window> = Vec::new();

@@ -2,7 +2,6 @@ use super::*;
 use crate::{Fitted, PhaseKind, State, run};
 use std::f64::consts::TAU;
 
-/// Numbers that look random.
 struct Random(u64);
 
 impl Random {
@@ -25,7 +24,7 @@ impl Random {
         size * libm::cos(TAU * self.unit())
     }
 
-    /// What a sensor records, with zeros that are off, a last digit, and noise of which neighbours have a part in common.
+    /// Zeros are off, neighbours have a part of the noise in common.
     fn record(&mut self, alike: f64, until: f64, force: impl Fn(f64) -> [f64; 3]) -> Recording {
         let rate = self.one([100.0, 200.0, 500.0]);
         let noise = 0.01 * libm::exp(self.between(0.0, libm::log(30.0)));
@@ -49,10 +48,8 @@ impl Random {
     }
 }
 
-/// A recording, μ_k, and μ_s.
 type Case = (Recording, f64, f64);
 
-/// A block on a tray that is shaken in the plane, by the engine; the sensor feels the friction.
 fn tray(random: &mut Random, alike: f64) -> Case {
     let mu = random.between(0.15, 0.6);
     let (size, across) = (mu * G * random.between(1.3, 2.5), random.between(0.0, 0.4));
@@ -86,8 +83,7 @@ fn tray(random: &mut Random, alike: f64) -> Case {
     (random.record(alike, end, force), mu, mu)
 }
 
-/// A phone is pushed some times to and fro, and slides until it stops; `rising` is the part by which μ is greater in the end, `other`
-/// what it is on the way back.
+/// `rising` is the part by which μ is greater in the end, `other` μ on the way back.
 fn pushed(random: &mut Random, alike: f64, rising: f64, other: f64) -> Case {
     let mu = random.between(0.15, 0.6);
     let (push, speed) = (random.between(0.1, 0.3), random.between(1.5, 2.5));
@@ -98,7 +94,6 @@ fn pushed(random: &mut Random, alike: f64, rising: f64, other: f64) -> Case {
         let (along, mu) = if back { (-1.0, other * mu) } else { (1.0, mu) };
         let x = match t % period - 0.5 {
             s if s < 0.0 || s > push + slide => 0.0,
-            // The body gets faster by the speed while it is pushed against friction.
             s if s < push => speed / push * (1.0 - libm::cos(TAU * s / push)),
             s => -mu * G * (1.0 + rising * (s - push) / slide),
         };
@@ -107,7 +102,7 @@ fn pushed(random: &mut Random, alike: f64, rising: f64, other: f64) -> Case {
     (random.record(alike, 3.0 * period, force), mu, mu)
 }
 
-/// A board is raised until a body breaks loose; it slides a while, and a stop catches it.
+/// Raised until the body breaks loose; a stop catches it.
 fn tilted(random: &mut Random, alike: f64) -> Case {
     let mu = random.between(0.15, 0.6);
     let holding = mu * random.between(1.08, 1.5);
@@ -131,8 +126,7 @@ fn tilted(random: &mut Random, alike: f64) -> Case {
     )
 }
 
-/// Of all recordings, answered or not: what is inside with 90 % only has 114 of 120 with a probability of 4 %. Of the μ_s, and where
-/// a filter in the sensor makes neighbours alike, of what is answered. Intervals are a tenth of μ at most.
+/// What is inside with 90 % only has 114 of 120 with a probability of 4 %. Intervals are a tenth of μ at most.
 #[test]
 fn the_truth_lies_inside_in_95_of_100_recordings() {
     for (alike, least) in [(0.0, 114), (0.7, 90)] {
@@ -164,8 +158,7 @@ fn the_truth_lies_inside_in_95_of_100_recordings() {
     }
 }
 
-/// Friction that grows by 30 % or 10 % while the body slows down, two floors, and friction like that of honey. Where nothing slips,
-/// no slip is found.
+/// Friction that grows by 30 % or 10 %, two floors, friction like that of honey; and where nothing slips, no slip.
 #[test]
 fn what_is_no_coulomb_friction_is_told() {
     let honey = |random: &mut Random| {
@@ -207,7 +200,7 @@ fn what_is_no_coulomb_friction_is_told() {
     told("shaken", &shaken);
 }
 
-/// By hand: f = ±3 m/s² on one side of clipped waves of 5 m/s², nothing but waves on the other.
+/// f = ±3 m/s² on one side of clipped waves of 5 m/s², nothing but waves on the other.
 #[test]
 fn waves_are_no_slip_and_clipped_ones_are() {
     let wave = |t: f64| 5.0 * libm::sin(12.0 * t);
@@ -220,7 +213,6 @@ fn waves_are_no_slip_and_clipped_ones_are() {
     let measured = measure(&slips, &Settings::default()).unwrap();
     let kinetic = measured.kinetic.unwrap();
     assert!(kinetic.from < 3.0 / G && 3.0 / G < kinetic.to && kinetic.to - kinetic.from < 0.02);
-    // Without a column along z it is the same on level floor.
     let flat = Recording {
         normal: None,
         ..slips
@@ -229,7 +221,7 @@ fn waves_are_no_slip_and_clipped_ones_are() {
     assert!(!flat.normal && (flat.kinetic.unwrap().from - kinetic.from).abs() < 0.01);
 }
 
-/// A hundred rows a second, to five decimals, of a sensor whose zeros are right.
+/// At 100 Hz, to five decimals, with right zeros.
 fn exact(noise: f64, until: f64, mut force: impl FnMut(f64) -> [f64; 2]) -> Recording {
     let mut random = Random(3);
     let (mut rows, mut normal) = (Vec::new(), Vec::new());
@@ -243,7 +235,7 @@ fn exact(noise: f64, until: f64, mut force: impl FnMut(f64) -> [f64; 2]) -> Reco
     Recording { rows, normal }
 }
 
-/// A body with μ_k = 0.3 and μ_s = 0.4 on a floor that is tilted, and after a second shaken along itself: by steps of 0.1 ms.
+/// μ_k = 0.3 and μ_s = 0.4 on a tilted floor, shaken after a second: by steps of 0.1 ms.
 fn shaken(noise: f64, tilt: f64) -> Recording {
     let (n, mut v, mut now) = (G * libm::cos(tilt), 0.0_f64, 0.0);
     exact(noise, 6.0, |t| {
@@ -271,7 +263,7 @@ fn shaken(noise: f64, tilt: f64) -> Recording {
     })
 }
 
-/// Whatever the tilt is, x² + z² is g² at rest, and x = μ_k z in a slip; and less noise is no less to go by.
+/// x² + z² is g² at rest, and x = μ_k z in a slip, whatever the tilt.
 #[test]
 fn a_rest_on_a_tilted_floor_is_no_slip() {
     let noises = [0.0, 1e-4, 1e-3, 0.02];
@@ -299,7 +291,6 @@ fn a_rest_on_a_tilted_floor_is_no_slip() {
         assert_eq!(found.tilted, tilt > 0.0 && tilt < 0.05);
         assert!(found.assumed().unwrap().contains("slid"));
     }
-    // Raised and held, and let down to half of that.
     for (noise, steepest, down) in [
         (0.02, 0.2, 9.0),
         (0.02, 0.1, 9.0),
@@ -324,7 +315,6 @@ fn a_rest_on_a_tilted_floor_is_no_slip() {
     }
 }
 
-/// A rest, a push, a slip, a rest.
 #[test]
 fn what_the_body_does_is_told() {
     let push = |t: f64| match t {
@@ -360,7 +350,6 @@ fn what_the_body_does_is_told() {
 fn what_cannot_be_measured_is_refused() {
     let plain = Settings::default();
     let of = |last: u32, normal: Option<usize>, settings: Settings| {
-        // One time comes again.
         let rows = (0..last).map(|k| (f64::from(k.min(97)), [f64::from(k % 3), 0.0]));
         let normal = normal.map(|n| vec![9.8; n]);
         let recording = Recording {
@@ -379,7 +368,6 @@ fn what_cannot_be_measured_is_refused() {
             MeasureError::Setting { .. }
         ));
     }
-    // Hardly a row, and what moves.
     for rest in [[200.0, 300.0], [0.0, 50.0]].map(Some) {
         let refused = of(98, None, Settings { rest, ..plain });
         assert!(matches!(refused, MeasureError::Rest { .. }));
@@ -399,7 +387,6 @@ proptest::proptest! {
         let mut t = 0.0;
         let rows = values.iter().zip(0..).map(|((step, x, y), k)| {
             t += 10.0_f64.powi(*step);
-            // Some are flat.
             let x = if k / 20 % 2 == 0 { x.round() } else { 2.0 };
             (t, [x * 10.0_f64.powi(power), if across { *y } else { 0.0 }])
         });

@@ -1,36 +1,32 @@
-//! Taylor steps of several independent motions at once, one in each lane, each with a step length of its own.
+//! Taylor steps of several independent motions at once, one in each lane, each with its own step.
 //!
-//! The [`System`] is that of a single motion. What a single motion's integrator does more carefully (sums with a
-//! carry, every component by itself) is left out here: a batch is for nine digits of many motions.
+//! Without sums with a carry: for nine digits of many motions.
 
 use trialbook::numerics::{lanes::Lanes, series::change, taylor::System};
 
-/// The series of `D` components to `N` terms, of `L` motions about where they are.
+/// `D` components to `N` terms, of `L` motions about where they are.
 #[derive(Debug, Clone)]
 pub(crate) struct Batch<const D: usize, const N: usize, const L: usize> {
     series: [[Lanes<L>; N]; D],
 }
 
 impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
-    /// Room for the series, with every motion at zero.
     pub(crate) fn new() -> Self {
         let series = [[Lanes::all(0.0); N]; D];
         Self { series }
     }
 
-    /// Puts the motion in `lane` into a state.
     pub(crate) fn set(&mut self, lane: usize, state: &[f64; D]) {
         for (x, value) in self.series.iter_mut().zip(state) {
             x[0].0[lane] = *value;
         }
     }
 
-    /// The series of the motion in `lane`.
     pub(crate) fn lane(&self, lane: usize) -> [[f64; N]; D] {
         std::array::from_fn(|i| std::array::from_fn(|k| self.series[i][k].0[lane]))
     }
 
-    /// Finds the series about the states, for a system that does not depend on the time.
+    /// For a system that does not depend on the time.
     #[inline(always)]
     pub(crate) fn expand<S: System<Lanes<L>, D, N>>(&mut self, system: &S) {
         let mut work = S::Work::default();
@@ -43,8 +39,7 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
         }
     }
 
-    /// How far each series may be trusted: as far as its last two terms are below `2^tolerance` times the largest
-    /// component (at least 2⁻¹⁰⁰), to within a tenth.
+    /// As far as its last two terms are below `2^tolerance` times the largest component (at least 2⁻¹⁰⁰), to within a tenth.
     #[inline(always)]
     pub(crate) fn reach(&self, tolerance: f64) -> Lanes<L> {
         let size = self.size(0) + Lanes::all(tolerance);
@@ -63,7 +58,6 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
         largest.map(log2)
     }
 
-    /// The states at the distances `h`.
     #[inline(always)]
     pub(crate) fn after(&self, h: &Lanes<L>) -> [Lanes<L>; D] {
         let mut states = [Lanes::all(0.0); D];
@@ -73,7 +67,6 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
         states
     }
 
-    /// Goes on to these states.
     #[inline(always)]
     pub(crate) fn go(&mut self, states: &[Lanes<L>; D]) {
         for (x, state) in self.series.iter_mut().zip(states) {
@@ -97,7 +90,6 @@ fn log2(x: f64) -> f64 {
     f64::from((x.to_bits() >> 32) as i32) / f64::from(1 << 20) - 1023.0
 }
 
-/// The inverse of [`log2`].
 #[inline(always)]
 fn exp2(x: f64) -> f64 {
     // `reach` asks for exponents far inside the range.

@@ -1,8 +1,7 @@
 //! When a function that is known by its series over a step is zero.
 //!
-//! The extrema of the series, found by the crate `polycool`, cut the step into pieces on which the function
-//! rises or falls; on each the [bracketing root-finder](super::roots) finishes. An extremum that is zero within
-//! rounding is a root too: there the function only touches zero.
+//! The extrema of the series, found by the crate `polycool`, cut the step into pieces on each of which the [bracketing
+//! root-finder](super::roots) finishes. An extremum that is zero within rounding is a root too.
 
 use polycool::PolyDyn;
 use trialbook::numerics::{error::NumericsError, roots::root, series::value};
@@ -27,8 +26,8 @@ pub struct Root {
     pub way: Way,
 }
 
-/// The roots of a series in (0, `h`], in order; of several that rounding does not part the first. One at 0 (first coefficients exactly zero) does not count, nor
-/// does a series that is zero altogether have roots.
+/// The roots of a series in (0, `h`], in order; of several that rounding does not part the first. One at 0 (first coefficients
+/// exactly zero) does not count; a series that is zero has none.
 ///
 /// # Errors
 /// [`NumericsError::NotFinite`] when a coefficient times its power of `h` is not finite.
@@ -75,8 +74,8 @@ pub fn roots(series: &[f64], h: f64) -> Result<Vec<Root>, NumericsError> {
     nodes.push(1.0);
     let at = |u: f64| value(&scaled, &u);
     let mut found = Vec::new();
-    // The last node at which the function is surely not zero lies on the side `before` of zero; `zero` is a node
-    // since then at which it is zero within rounding.
+    // The function is surely not zero at `a`, on the side `before` of zero; `zero` is a node since then at which it is zero
+    // within rounding.
     let (mut a, mut before, mut zero) = (0.0, scaled[0], None);
     for b in nodes {
         let y = at(b);
@@ -119,8 +118,7 @@ pub fn roots(series: &[f64], h: f64) -> Result<Vec<Root>, NumericsError> {
 /// Relative size of last terms that no value notices.
 const NEGLIGIBLE: f64 = 1e-20;
 
-/// Whether the Bernstein coefficients of a polynomial on [0, 1] are all positive or all negative, by more than
-/// rounding: then so are its values. It may be so without this being seen.
+/// By more than rounding, seen from the Bernstein coefficients on [0, 1]; it may be so without this being seen.
 fn keeps_sign(polynomial: &[f64]) -> bool {
     // b_j = Σ C(j, i)/C(n, i) a_i, i ≤ j: the sums of a triangle of a_i/C(n, i), row by row.
     let n = polynomial.len().saturating_sub(1);
@@ -142,7 +140,7 @@ fn keeps_sign(polynomial: &[f64]) -> bool {
     least > rounding || most < -rounding
 }
 
-/// Bound for the rounding errors of the value at `u`.
+/// Of the value at `u`.
 fn rounding(scaled: &[f64], u: f64) -> f64 {
     4.0 * f64::EPSILON * scaled.iter().rev().fold(0.0, |sum, c| sum * u + c.abs())
 }
@@ -163,7 +161,6 @@ mod tests {
         assert!(keeps_sign(&[-1.0, -0.5, 0.2]));
     }
 
-    /// Coefficients of the product of (u − r) over the given roots.
     fn with_roots(given: &[f64]) -> Vec<f64> {
         given.iter().fold(vec![1.0], |p, r| {
             let mut q = vec![0.0; p.len() + 1];
@@ -221,7 +218,6 @@ mod tests {
 
     #[test]
     fn the_ends_of_the_step() {
-        // u (u − 1): the root at the beginning is not counted, that at the end is.
         let found = roots(&[0.0, -1.0, 1.0], 1.0).unwrap();
         assert_eq!(
             found,
@@ -237,7 +233,6 @@ mod tests {
 
     #[test]
     fn a_long_series() {
-        // sin over (0, 3.5]: one root, at π.
         let mut sine = [0.0; 40];
         let mut term = 1.0;
         for k in 1..40 {

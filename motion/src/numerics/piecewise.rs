@@ -1,10 +1,8 @@
 //! A function of period 2π, known only point by point, as a chain of short polynomials.
 //!
-//! [`Piecewise::fit`] cuts the period at the given jumps and kinks, halves every part until a Chebyshev
-//! interpolant of low degree meets the function to rounding, and cuts once more where the slope changes
-//! sign. On every piece the function is therefore smooth and monotone, and its antiderivative is exact.
-//! Each polynomial is kept in powers of the distance from the left end of its piece, so that integrals
-//! over short distances keep their relative accuracy.
+//! [`Piecewise::fit`] halves the period, cut at jumps and kinks, until Chebyshev interpolants of low degree meet the function to
+//! rounding, and cuts where the slope changes sign: every piece is monotone, and its antiderivative exact. Polynomials are in
+//! powers of the distance from the left end of their piece, so that integrals over short distances keep their relative accuracy.
 
 mod chebyshev;
 mod piece;
@@ -41,29 +39,29 @@ pub enum PiecewiseError {
     },
 }
 
-/// Shortest part, as a share of the period, that is still halved.
+/// Still halved, as a share of the period.
 const SHORTEST: f64 = 1e-12;
-/// Most parts that a function may need; one that needs more oscillates too fast, or is noise.
+/// What needs more oscillates too fast, or is noise.
 const MOST_PARTS: usize = 1 << 14;
-/// Largest value: high divided differences of it, on the shortest part, are still numbers.
+/// High divided differences of it, on the shortest part, are still numbers.
 const LARGEST: f64 = 1e100;
 /// Breaks closer than this (radians) count as one.
 const SAME_BREAK: f64 = 1e-13;
-/// Half the spacing of numbers near 2π: arguments are known no better.
+/// Half the spacing of numbers near 2π.
 const ARGUMENT: f64 = 4.5e-16;
-/// Points per part at which the size of the function is first estimated.
+/// Points per part for the first estimate of the size.
 const SURVEY: usize = 64;
 
-/// Where the function is asked besides: twice in the narrowest feature that is never missed, a thousandth of the period.
+/// Twice in the narrowest feature that is never missed, a thousandth of the period.
 const PROBES: usize = 2048;
-/// What a polynomial may miss there, as a share of the largest value: far more than rounding, far less than a feature.
+/// As a share of the largest value: far more than rounding, far less than a feature.
 const MISSED: f64 = 1e-12;
 
 /// A function of period 2π as a chain of monotone polynomials.
 #[derive(Debug, Clone)]
 pub struct Piecewise {
     pieces: Vec<Piece>,
-    /// For each of equally wide cells of the period, the piece in which the cell begins.
+    /// The piece in which each of equally wide cells of the period begins.
     cells: Vec<usize>,
     size: f64,
     integral: f64,
@@ -75,7 +73,7 @@ impl Piecewise {
     ///
     /// `breaks` lists its jumps and kinks, in any order, modulo 2π; a jump or kink at 0 need not be listed.
     ///
-    /// Cost: an interpolation for each of the parts into which the period is halved, at most some 32,000.
+    /// Cost: an interpolation for each part, at most some 32,000.
     ///
     /// # Errors
     /// A value or a break that is not finite, a value beyond 1e100; a function that even on 1e-12 of the period is no
@@ -133,7 +131,7 @@ impl Piecewise {
         })
     }
 
-    /// The pieces, in order, from 0 to 2π.
+    /// The pieces, from 0 to 2π.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
@@ -148,7 +146,7 @@ impl Piecewise {
         self.integral
     }
 
-    /// The piece that holds the argument `at` in [0, 2π), and the distance from its left end.
+    /// The piece that holds `at` in [0, 2π), and the distance from its left end.
     pub fn locate(&self, at: f64) -> (usize, f64) {
         let cell = (at / TAU * self.cells.len() as f64) as usize;
         let mut index = self.cells[cell.min(self.cells.len() - 1)];
@@ -159,7 +157,7 @@ impl Piecewise {
         (index, (at - piece.start()).clamp(0.0, piece.length()))
     }
 
-    /// The value at any finite argument; at a jump, the limit from the right.
+    /// At any finite argument; at a jump, the limit from the right.
     pub fn value(&self, at: f64) -> f64 {
         let (index, s) = self.locate(at.rem_euclid(TAU));
         self.pieces[index].value(s)
@@ -175,7 +173,7 @@ impl Piecewise {
     }
 }
 
-/// Sorted edges of the parts on which the function is smooth, from 0 to 2π.
+/// Of the parts on which the function is smooth, from 0 to 2π.
 fn edges(breaks: &[f64]) -> Result<Vec<f64>, PiecewiseError> {
     if let Some(&value) = breaks.iter().find(|b| !b.is_finite()) {
         return Err(PiecewiseError::Break { value });
@@ -192,7 +190,7 @@ fn edges(breaks: &[f64]) -> Result<Vec<f64>, PiecewiseError> {
     Ok(edges)
 }
 
-/// Halves [a, b] until the interpolants fit, then cuts at the extrema; appends the fits in order.
+/// Until the interpolants fit, then cuts at the extrema; appends the fits in order.
 fn refine(
     function: &impl Fn(f64) -> Result<f64, PiecewiseError>,
     probes: &[(f64, f64)],
@@ -231,7 +229,6 @@ fn refine(
     Ok(())
 }
 
-/// Where the slope of the fit changes sign, well inside its interval.
 fn extrema(fit: &Fit) -> Vec<f64> {
     let length = fit.end - fit.start;
     let unit = fit.coefficients.iter().scan(1.0, |power, c| {

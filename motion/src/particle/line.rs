@@ -23,13 +23,13 @@ use crate::numerics::{
 /// A line on a plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
-    /// Its direction, of any length: of the plane's acceleration A only what lies along it counts.
+    /// Of any length: of the plane's acceleration only what lies along it counts.
     pub along: [f64; 2],
     /// Friction of a block that moves, or is pulled, that way,
     pub plus: Friction,
     /// and the other.
     pub minus: Friction,
-    /// Frequency ω of the block on a spring that is relaxed at the origin, without friction, in 1/time; 0 for no spring.
+    /// ω of the block on a spring that is relaxed at the origin, without friction, in 1/time; 0 for no spring.
     pub frequency: f64,
 }
 
@@ -38,7 +38,6 @@ const HELD: f64 = 4.0 * f64::EPSILON;
 /// A part of a velocity across the line that is rounding.
 const ACROSS: f64 = 1e-14;
 
-/// The way in which a block sets out, and its acceleration at first.
 type Release = (f64, f64);
 
 impl Line {
@@ -103,7 +102,6 @@ impl Line {
         Ok(0.5 * (self.plus.kinetic * (way + led) + self.minus.kinetic * (way - led)))
     }
 
-    /// Of length 1.
     fn direction(&self) -> Result<[f64; 2], MotionError> {
         let length = libm::hypot(self.along[0], self.along[1]);
         let fit = length.is_finite() && length > 0.0;
@@ -111,22 +109,19 @@ impl Line {
         Ok(self.along.map(|c| c / length))
     }
 
-    /// What of a vector lies along the line.
     fn part(&self, vector: [f64; 2]) -> f64 {
         self.along[0] * vector[0] + self.along[1] * vector[1]
     }
 
-    /// The pull of the plane along the line.
     fn pull(&self, a: &[Coefficients; 2]) -> Coefficients {
         std::array::from_fn(|k| -self.part([a[0][k], a[1][k]]))
     }
 
-    /// Friction for one of the two ways.
     fn friction(&self, way: f64) -> Friction {
         if way > 0.0 { self.plus } else { self.minus }
     }
 
-    /// Rests until the pull outgrows friction in a direction; nothing if it does not before the end.
+    /// Nothing if the pull does not outgrow friction before the end.
     fn hold(&self, run: &mut Run<'_>) -> Result<Option<Release>, MotionError> {
         while run.state.t < run.until {
             let local = run.local()?;
@@ -167,7 +162,6 @@ impl Line {
                 run.push(Piece::Rest { from: t, x }, rest);
             }
             if let Some((_, way)) = first {
-                // Zero where friction holds no more than it brakes.
                 let Friction { kinetic, holding } = self.friction(way);
                 return Ok(Some((way, way * (holding - kinetic))));
             }
@@ -175,7 +169,7 @@ impl Line {
         Ok(None)
     }
 
-    /// Slides for as long as a series serves, or until the velocity is zero: then true.
+    /// Until the velocity is zero: then true; or for as long as a series serves.
     fn glide(&self, run: &mut Run<'_>, release: Option<Release>) -> Result<bool, MotionError> {
         let local = run.local()?;
         let stiffness = self.frequency * self.frequency;
@@ -196,7 +190,6 @@ impl Line {
             x[k + 1] = v[k] / (k + 1) as f64;
         }
         let h = local.left.min(reach(&x)).min(reach(&v));
-        // One that grazes zero goes on.
         let turn = roots(&v, h)?
             .into_iter()
             .find(|root| root.way != Way::Touching);
@@ -259,7 +252,6 @@ mod tests {
                 let lost = 0.5 * (v * v - end * end) + pull * led;
                 assert!((heat - lost).abs() < 1e-12 * (1.0 + way), "{heat} {lost}");
             }
-            // There until 3/(1 + 5/2), and back against 2.
             let (_, way, heat, motion) = go(vec![-2.5], 3.0);
             let stop = 3.0 / 3.5;
             let (there, back) = (1.5 * stop, 0.25 * (9.0 - stop) * (9.0 - stop));
@@ -294,7 +286,7 @@ mod tests {
         }
     }
 
-    /// In short steps, each with the friction that brings closest to rest, and no more than there is.
+    /// Each with the friction that brings closest to rest, and no more than there is.
     #[test]
     fn a_record_moves_it_as_short_steps_do() {
         let uneven = line([1.0, 0.0], 1.8, 2.3);

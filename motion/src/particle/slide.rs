@@ -1,9 +1,8 @@
 //! Sliding, in a time s that runs as fast as the particle slows down: dt = |v| ds / g.
 //!
-//! With a unit of acceleration g, the motion is dv/ds = −(A/g)|v| − (μg/g) v, dt/ds = |v|/g, dx/ds = v|v|/g.
-//! The right-hand side is analytic for all v ≠ 0 and of the first degree in v: towards a stop v falls
-//! exponentially in s, each component with all its digits, and a sharp turn at low speed takes its time.
-//! A stop is reached only in the limit; once the time left is below the rounding of the time slid, it is added.
+//! With a unit of acceleration g, dv/ds = −(A/g)|v| − (μg/g) v, dt/ds = |v|/g, dx/ds = v|v|/g. The right-hand side is analytic
+//! for all v ≠ 0 and of the first degree in v: towards a stop v falls exponentially in s, each component with all its digits. A
+//! stop is reached only in the limit; once the time left is below the rounding of the time slid, it is added.
 
 use super::{
     super::acceleration::Coefficients,
@@ -17,9 +16,8 @@ use crate::numerics::{
     taylor::{Control, Integrator, Step, System, TERMS},
 };
 
-/// The equations of motion, about a time at which the acceleration is known.
 struct Sliding {
-    /// A/g about the beginning of the step, as series in t with as many coefficients as `terms` says.
+    /// A/g about the beginning of the step, as series in t of `terms` coefficients.
     a: [Coefficients; 2],
     /// Number of coefficients of `a` up to the last that is not zero.
     terms: usize,
@@ -29,14 +27,13 @@ struct Sliding {
     slowness: f64,
 }
 
-/// Series in s that a step needs besides the state.
+/// What a step needs besides the state.
 #[derive(Default)]
 struct Work {
     speed_squared: Coefficients,
     speed: Coefficients,
     /// |v| minus the absolute value of its larger component.
     excess: Coefficients,
-    /// A/g.
     a: [Coefficients; 2],
     /// Powers of t − t₀; `powers[j]` begins with order j.
     powers: Vec<Coefficients>,
@@ -78,11 +75,9 @@ impl System<f64, 5, TERMS> for Sliding {
 }
 
 impl Sliding {
-    /// Coefficient `k` of A|v| + μg v for a constant A, and of |v|. Then the equations are linear: with
-    /// d|v|/ds = −A·v − μg|v|, nothing needs to be multiplied. When v points along −A, the sum may cancel down to
-    /// (μg − |A|) v; so, with ± the sign of the larger component w of v, u the smaller, and a, b those components
-    /// of A, it is computed as a e + (μg ± a) w, where e = |v| − |w| = u²/(|v| + |w|) obeys
-    /// de/ds = (±a − μg) e − b u.
+    /// Coefficient `k` of A|v| + μg v for a constant A, and of |v|: with d|v|/ds = −A·v − μg|v|, nothing needs to be multiplied.
+    /// When v points along −A, the sum may cancel down to (μg − |A|) v; so, with ± the sign of the larger component w of v, the
+    /// smaller u, and a, b of A, it is a e + (μg ± a) w, where e = |v| − |w| = u²/(|v| + |w|) obeys de/ds = (±a − μg) e − b u.
     #[inline(always)]
     fn constant_pull(&self, k: usize, v: [&Coefficients; 2], work: &mut Work) -> [f64; 2] {
         let larger = usize::from(v[1][0].abs() > v[0][0].abs());
@@ -120,23 +115,22 @@ impl Sliding {
     }
 }
 
-/// A velocity component below this fraction of the other is taken as zero: what is exactly one-dimensional in the
-/// limit becomes so before it underflows.
+/// As a fraction of the other component: what is one-dimensional in the limit becomes so before it underflows.
 const NEGLIGIBLE: f64 = 1e-90;
-/// A slide may end when the time left is this fraction of the time that stopping takes from full speed.
+/// As a fraction of the time that stopping takes from full speed.
 const LAST: f64 = 1e-18;
-/// Where rest holds what braking does not, one below this fraction of the full speed is rest: on the way straight to a stop
-/// rounding turns the direction by then, and would let a body go that stands still.
+/// As a fraction of the full speed, where rest holds what braking does not: on the way straight to a stop rounding turns the
+/// direction by then.
 const STILL: f64 = 1e-12;
 
-/// The angle to the acceleration that at most is left at that speed of one that was below rounding at full speed.
+/// The angle to the acceleration that is left at that speed of one that was below rounding at full speed.
 const STRAIGHT: f64 = 1e-6;
 
-/// Largest unit of acceleration: it is for very short motions only.
+/// For very short motions only.
 const FASTEST: f64 = 1e100;
 
 impl Run<'_> {
-    /// Slides until v = 0 (true) or until the end of the motion (false).
+    /// True at v = 0, false at the end of the motion.
     pub(super) fn slide(&mut self) -> Result<bool, MotionError> {
         let mut sliding = Sliding {
             a: [[0.0; TERMS]; 2],
@@ -146,7 +140,7 @@ impl Run<'_> {
         };
         let State { t, v, x } = self.state;
         let mut fastest = self.state.speed();
-        // t, x and v go on with the integrator's carries through the whole slide.
+        // t, x and v keep the integrator's carries through the whole slide.
         let (mut carry, mut work) = ([0.0; 5], Work::default());
         let mut start = [v[0], v[1], t, x[0], x[1]];
         drop_negligible(&mut start, &mut carry);
@@ -179,7 +173,7 @@ impl Run<'_> {
             let mut integrator = Integrator::resume(&sliding, start, (carry, work), Control::Each);
             let mut step = Box::new(Step::empty());
             integrator.expand(&mut step)?;
-            // In no case further than a constant speed would take it four times.
+            // No further than a constant speed would take it four times.
             step.h = step.h.min(4.0 * local.left * unit / speed);
             let mut landing = None;
             if step.elapsed() >= local.left {
@@ -209,7 +203,6 @@ impl Run<'_> {
         Ok(false)
     }
 
-    /// Whether the particle is as good as at rest; then it is brought to rest.
     fn stops(&mut self, fastest: f64) -> bool {
         let State { t, v, x } = self.state;
         let speed = self.state.speed();
@@ -221,9 +214,9 @@ impl Run<'_> {
         let size = libm::hypot(a[0], a[1]);
         let against = (a[0] * v[0] + a[1] * v[1]) / speed;
         let rate = self.friction + against;
-        // Friction wins whatever the direction: the worst that can come is a turn towards −A.
+        // The worst that can come is a turn towards −A.
         let held = speed * (self.friction + size) <= LAST * fastest * (self.friction - size);
-        // Straight on through zero: nothing turns the velocity but rounding. Its angle grows as the speed falls.
+        // Nothing turns the velocity but rounding, by an angle that grows as the speed falls.
         let across = (a[0] * v[1] - a[1] * v[0]).abs();
         let straight = across <= STRAIGHT * size * speed && against >= 0.0;
         let still = still && size <= self.holding;
@@ -262,14 +255,12 @@ impl Run<'_> {
 }
 
 impl Sliding {
-    /// Takes the acceleration about the beginning of a step, in units of `unit`.
     fn prepare(&mut self, a: &[Coefficients; 2], friction: f64, unit: f64) {
         // A power of two: its inverse is exact.
         self.slowness = 1.0 / unit;
         let last =
             |series: &Coefficients| series.iter().rposition(|c| *c != 0.0).map_or(0, |k| k + 1);
         self.terms = last(&a[0]).max(last(&a[1]));
-        // The others are not looked at.
         for (scaled, a) in self.a.iter_mut().zip(a) {
             for (scaled, c) in scaled.iter_mut().zip(a).take(self.terms.max(1)) {
                 *scaled = c * self.slowness;
@@ -284,7 +275,6 @@ fn unit(size: f64) -> f64 {
     libm::exp2(libm::floor(libm::log2(size)))
 }
 
-/// Sets a velocity component to zero that is negligible beside the other.
 fn drop_negligible(state: &mut [f64; 5], carry: &mut [f64; 5]) {
     let (x, y) = (state[0].abs(), state[1].abs());
     if x < NEGLIGIBLE * y {

@@ -25,13 +25,11 @@ use crate::numerics::{
 };
 
 impl Run<'_> {
-    /// Slides from rest for a first short time.
     pub(super) fn depart(&mut self, release: Release) -> Result<(), MotionError> {
         let local = self.local()?;
         let size = libm::hypot(local.a[0][0], local.a[1][0]);
         let (e, along, across) = pull(&local.a, size);
         let net = match release {
-            // Zero where friction holds no more than it brakes.
             Release::Smooth => self.holding - self.friction,
             Release::Sudden => size - self.friction,
         };
@@ -51,8 +49,7 @@ impl Run<'_> {
     }
 }
 
-/// Series of the speed, and of the cosine and sine of the direction from that of −A at the start, when the
-/// speed begins to grow with `net`.
+/// With the cosine and sine of the direction from that of −A at the start, when the speed begins to grow with `net`.
 fn first_moments(
     along: &Coefficients,
     across: &Coefficients,
@@ -105,8 +102,7 @@ mod tests {
         }
     }
 
-    /// In the time t the speed is t (t − 1)(t − 3)/10: it stops at t = 1, long before friction is outgrown again at 2.2, and the
-    /// series serves beyond t = 3.
+    /// The speed is t (t − 1)(t − 3)/10: it stops at t = 1, and the series serves beyond t = 3.
     #[test]
     fn of_two_stops_the_first_decides() {
         use super::super::run;

@@ -11,7 +11,6 @@ use crate::numerics::{
     taylor::{TERMS, reach},
 };
 
-/// How a particle gets loose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Release {
     /// |A| grows through μ_s g.
@@ -21,7 +20,7 @@ pub(super) enum Release {
 }
 
 impl Run<'_> {
-    /// Sticks until it gets loose; nothing if that does not happen before the end.
+    /// Nothing if it does not get loose before the end.
     pub(super) fn stick(&mut self) -> Result<Option<Release>, MotionError> {
         let mut crossed = false;
         while self.state.t < self.until {
@@ -78,8 +77,8 @@ impl Run<'_> {
     }
 }
 
-/// The series of |A|² − (μ_s g)², and bounds for what rounding makes of its coefficients: a small component may have an
-/// error that is small only beside the other one.
+/// |A|² − (μ_s g)², and bounds for what rounding makes of its coefficients: a small component may have an error that is small
+/// only beside the other one.
 fn excess(a: &[Coefficients; 2], holding: f64) -> (Coefficients, Coefficients) {
     let sizes: Coefficients = std::array::from_fn(|k| a[0][k].abs() + a[1][k].abs());
     let mut f = [0.0; TERMS];

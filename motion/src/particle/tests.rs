@@ -15,7 +15,6 @@ fn near(found: f64, expected: f64, relative: f64) {
     );
 }
 
-/// The motion of a particle with this velocity at t = 0.
 fn go(plane: &dyn Acceleration, friction: f64, v: [f64; 2], until: f64) -> Motion {
     run(plane, friction, State::moving(v), until).unwrap()
 }
@@ -28,7 +27,6 @@ fn one_dimension_by_hand() {
     assert_eq!(motion.stops().len(), 1);
     near(motion.stops()[0], 2.0, 4e-15);
     assert_eq!(motion.starts(), motion.stops());
-    // A stop parts two slides, however short it is.
     let slides = motion.phases().iter().map(|p| (p.kind, p.from, p.to));
     let stop = motion.stops()[0];
     assert!(slides.eq([(PhaseKind::Slide, 0.0, stop), (PhaseKind::Slide, stop, 6.0)]));
@@ -51,10 +49,8 @@ fn one_dimension_by_hand() {
         );
         assert_eq!(motion.end().v, [0.0; 2]);
     }
-    // With the pull at λ = 1: goes on for ever at the same speed.
     let motion = go(&plane, 1.0, [3.0, 0.0], 1e9);
     assert_eq!((motion.first_stop(), motion.end().v), (None, [3.0, 0.0]));
-    // λ = 1 ± 10⁻⁹: T = v/(λ − 1), or faster and faster.
     let slow = (1.0 + 1e-9) - 1.0;
     let motion = go(&plane, 1.0 + 1e-9, [3.0, 0.0], 1e10);
     near(motion.first_stop().unwrap(), 3.0 / slow, 1e-13);
@@ -70,7 +66,7 @@ fn nearly_against_the_pull() {
     let near_by = go(&plane, 0.5, [-3.0, 3e-12], 6.0);
     assert!(near_by.stops().is_empty());
     assert!((near_by.end().v[0] - exact.v[0]).abs() < 1e-11 && near_by.end().v[1] > 0.0);
-    // With λ > 1 both stop, at times that differ by the order of the offset squared.
+    // Both stop, at times that differ by the order of the offset squared.
     let exact = go(&plane, 1.5, [-3.0, 0.0], 6.0).first_stop().unwrap();
     let near_by = go(&plane, 1.5, [-3.0, 3e-12], 6.0).first_stop().unwrap();
     near(near_by, exact, 1e-14);
@@ -116,7 +112,6 @@ fn scaled_by_powers_of_two_bit_for_bit() {
     .unwrap();
     assert_eq!(2.0 * one.first_stop().unwrap(), two.first_stop().unwrap());
     assert_eq!(4.0 * one.end().x[1], two.end().x[1]);
-    // Eight times the accelerations, twice the speed.
     let two = run_to_stop(
         &Plane::constant([8.0 * 0.3, 8.0 * -0.8]),
         8.0 * 1.1,
@@ -129,7 +124,7 @@ fn scaled_by_powers_of_two_bit_for_bit() {
 
 #[test]
 fn a_turning_pull_that_is_just_held_is_held() {
-    // |A| = μg at all times: what rounding makes of the derivatives of |A|² sets nothing off. A little more does.
+    // What rounding makes of the derivatives of |A|² sets nothing off. A little more does.
     for k in 0..20 {
         let starts = |amplitude, until| {
             let plane = Plane::rotating(Signal::constant(amplitude), 2.0, 0.3 * f64::from(k));
@@ -159,8 +154,8 @@ fn the_next_jump_is_found_from_just_before_each() {
 
 #[test]
 fn jumps_are_met_exactly() {
-    // ±1 for a time 1 each, μg = 1/4, from rest at the jump to +1: v = −3/4 t, then slows at 5/4 to rest at 1.6,
-    // then the other way at 3/4 until 2: +0.3; there slows at 5/4 until 2.24.
+    // From rest at the jump to +1: v = −3/4 t, then slows at 5/4 to rest at 1.6, then the other way at 3/4 until 2: +0.3; there
+    // slows at 5/4 until 2.24.
     let square = Plane::along(
         [1.0, 0.0],
         Signal::Square {
@@ -174,7 +169,6 @@ fn jumps_are_met_exactly() {
     near(motion.at(2.0).unwrap().v[0], 0.3, 1e-14);
     near(motion.stops()[1], 2.24, 1e-14);
     assert_eq!(motion.starts().len(), 3);
-    // A pulse of length 10⁻³ in the middle of a rest, then friction only.
     let pulse = Plane::along(
         [0.0, -1e3],
         Signal::Pulse {
@@ -185,7 +179,6 @@ fn jumps_are_met_exactly() {
     let motion = go(&pulse, 1.0, [0.0; 2], 100.0);
     assert_eq!(motion.starts(), [5.0]);
     near(motion.stops()[0], 5.001 + 0.999, 1e-13);
-    // A far narrow Gaussian is not stepped over.
     let bump = Plane::along(
         [0.0, -1.0],
         Signal::Gaussian {
@@ -236,7 +229,6 @@ fn bad_input_is_named() {
         name(motion.first_along([0.0, 0.0]).map(|_| motion.clone())),
         "length of direction"
     );
-    // Too many steps are an error, not a hang.
     let busy = Plane::along(
         [1.0, 0.0],
         Signal::Square {
@@ -280,8 +272,8 @@ proptest! {
     }
 }
 
-/// Where |A| exceeds the friction 1 by e − c t² a slip lasts from −√(e/c) to 2√(e/c) and goes 9e²/(4c), by the integrals of that,
-/// but for parts of the order of e: however small e is, and in few steps.
+/// Where |A| exceeds the friction 1 by e − c t², a slip lasts from −√(e/c) to 2√(e/c) and goes 9e²/(4c), but for parts of the
+/// order of e.
 #[test]
 fn a_slip_takes_as_many_steps_however_slow_it_is() {
     for (k, turning) in [(2, 0.2), (3, -0.2), (4, 0.5), (6, 0.2), (8, 0.1)] {
@@ -305,8 +297,7 @@ fn a_slip_takes_as_many_steps_however_slow_it_is() {
     }
 }
 
-/// A step of time with the friction that brings closest to rest, and no more than it has; halved until the difference tells how
-/// far it is from the motion. At rest more may hold.
+/// Each with the friction that brings closest to rest, halved until the difference tells how far they are from the motion.
 #[test]
 fn a_noisy_record_moves_a_block_as_short_steps_do() {
     for seed in 0..4 {
@@ -351,7 +342,6 @@ fn a_noisy_record_moves_a_block_as_short_steps_do() {
     }
 }
 
-/// Each piece of a motion begins where the last one ended, and every series in t, of a departure or a creep, obeys Newton's law.
 #[test]
 fn pieces_join_and_series_in_time_obey_the_law() {
     let mut creeps = 0;
@@ -367,7 +357,6 @@ fn pieces_join_and_series_in_time_obey_the_law() {
             };
             for i in 0..2 {
                 let off = (begin[i] - before[i]).abs();
-                // A piece that ends below rounding is followed by rest.
                 let speed = libm::hypot(begin[0], begin[1]);
                 let allowed = if speed > 0.0 { 1e-13 * speed } else { 1e-18 };
                 assert!(off <= allowed, "{begin:?} {before:?}");
@@ -393,7 +382,7 @@ fn pieces_join_and_series_in_time_obey_the_law() {
     assert!(creeps > 20, "{creeps}");
 }
 
-/// A minute at 500 Hz is no matter of luck, and takes a few steps a row.
+/// A few steps a row, whatever the luck.
 #[test]
 fn a_long_record_is_run_through() {
     for seed in 20..23 {
@@ -407,7 +396,6 @@ fn a_long_record_is_run_through() {
 
 #[test]
 fn a_line_is_a_line_in_any_direction() {
-    // Stick and slip along a line: turned by any angle, the motion is the same, and none of it across.
     let drive = |angle: f64| {
         let size = 1.757235;
         let direction = [size * libm::cos(angle), size * libm::sin(angle)];
@@ -437,11 +425,9 @@ fn phases_end_where_the_particle_stands_still_and_only_there() {
         let phases = motion.phases().iter();
         phases.map(|p| (p.kind, p.from, p.to)).collect()
     };
-    // On a pull that turns it slides for ever: the first moments and many steps are one phase.
     let turning = Plane::rotating(Signal::constant(2.0), 1.0, 0.0);
     let motion = go(&turning, 0.5, [0.0; 2], 40.0);
     assert_eq!(list(&motion), [(PhaseKind::Slide, 0.0, 40.0)]);
-    // Released at t = 2 by a pull that grows, as above.
     let ramp = Plane {
         x: Signal::constant(0.0),
         y: Signal::Polynomial(vec![0.0, -0.5]),
@@ -472,7 +458,7 @@ fn phases_end_where_the_particle_stands_still_and_only_there() {
 }
 
 /// μg = 1 and μ_s g = 3/2. A pull t/2 lets go at 3, with a force of 1/2: v = (t² − 9)/4 − (t − 3). A pull 6/5 holds what has
-/// stopped, and does not if it has to be 11/10; one in another direction and one that jumps to 8/5 do as that.
+/// stopped, and does not if it has to be 11/10.
 #[test]
 fn what_rests_is_held_by_more_than_what_slides_is_braked() {
     let friction = |holding| Friction {
@@ -532,7 +518,7 @@ fn a_velocity_across_that_is_next_to_nothing_is_nothing() {
     }
 }
 
-/// At rest on the threshold: a pull that grows ever so slowly sets the particle in motion, one that falls does not.
+/// A pull that grows ever so slowly sets it in motion, one that falls does not.
 #[test]
 fn the_slowest_growth_releases() {
     for rate in [1e-9, 1e-12] {
@@ -544,7 +530,6 @@ fn the_slowest_growth_releases() {
     }
 }
 
-/// A pull from the threshold that turns ever so slowly turns the velocity in proportion.
 #[test]
 fn the_slowest_turning_shows() {
     let across = |rate: f64| {

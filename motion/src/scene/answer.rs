@@ -8,7 +8,7 @@ use super::{
 /// One number of an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Number {
-    /// Its name: t, x, y, v_x, v_y, of a ball ω_x, ω_y, ω_z too, then path and heat.
+    /// t, x, y, v_x, v_y, of a ball ω_x, ω_y, ω_z too, then path and heat.
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
@@ -64,8 +64,9 @@ impl Moment {
 }
 
 impl Scene {
-    /// As [`run`](Self::run), with how far each number of the end may be off: by what changes with the last digits of friction
-    /// and velocity, by the integrator's own error, and by what the error of a recording may do, which for times and spins is taken to be that of as large a change of friction. Cost: twice that.
+    /// As [`run`](Self::run), with how far each number of the end may be off: by the last digits of friction and velocity, by the
+    /// integrator, and by the error of a recording, which for times and spins is taken to be that of as large a change of
+    /// friction. Cost: twice that.
     ///
     /// # Errors
     /// As for [`run`](Self::run).
@@ -119,7 +120,7 @@ impl Scene {
         })
     }
 
-    /// A number of the end by its name, without its error; none is NaN.
+    /// None is NaN.
     pub(super) fn number(&self, until: Until, name: &str) -> Result<f64, SceneError> {
         let end = self.run(until)?.end()?.numbers();
         let number = end.iter().find(|number| number.name == name);
@@ -138,7 +139,8 @@ impl Scene {
 }
 
 impl Number {
-    /// The number with the digits that its error leaves, at most twelve, and where these are few the first that is not sure; nothing if that is none.
+    /// With the digits that its error leaves, at most twelve, and where these are few the first that is not sure; nothing if that
+    /// is none.
     pub fn rounded(&self) -> Option<f64> {
         if self.value == 0.0 {
             return Some(0.0);
@@ -159,7 +161,7 @@ impl Number {
             .ok()
     }
 
-    /// How far the [rounded](Self::rounded) number may be off; where there is none, how large the number may be.
+    /// The error of the [rounded](Self::rounded) number; where there is none, how large the number may be.
     pub fn off(&self) -> f64 {
         self.error + (self.rounded().unwrap_or(0.0) - self.value).abs()
     }

@@ -6,7 +6,6 @@ use crate::{MotionError, numerics::roots::root};
 /// In how many steps a range is looked through.
 pub const STEPS: u32 = 400;
 
-/// How far aside the slope at a solution is looked at, as a part of the range.
 const NEAR: f64 = 1e-6;
 
 /// Where a number is what it is to be, and where it jumps over that.
@@ -18,9 +17,9 @@ pub struct Found {
     pub jumps: Vec<f64>,
 }
 
-/// Looks from `low` to `high` for where the number `name` of the end of `scene` is `wanted`, in [`STEPS`] steps of equal ratios, or of equal length where `low`
-/// is not positive: of two values closer together than one step, or where it is only touched, nothing may be seen. Values
-/// without an answer are passed over.
+/// Where from `low` to `high` the number `name` of the end of `scene` is `wanted`, in [`STEPS`] steps of equal ratios, or of
+/// equal length where `low` is not positive: of two values closer together than one step, or where it is only touched, nothing
+/// may be seen. Values without an answer are passed over.
 ///
 /// Cost: some 500 answers as a rule.
 ///

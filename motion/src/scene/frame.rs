@@ -15,13 +15,18 @@ pub struct Part(Kind);
 
 #[derive(Debug, Clone)]
 enum Kind {
-    /// A pull on what lies there, piece after piece along one direction.
-    Pull { along: [f64; 2], pieces: Vec<Piece> },
-    /// The floor's acceleration as it was recorded; the record's x axis points along this.
-    Record { along: [f64; 2], fitted: Fitted },
+    Pull {
+        along: [f64; 2],
+        pieces: Vec<Piece>,
+    },
+    /// The record's x axis points along this.
+    Record {
+        along: [f64; 2],
+        fitted: Fitted,
+    },
 }
 
-/// A pull until a time, as a formula in t whose number is `size` times too small.
+/// Until a time, as a formula in t whose number is `size` times too small.
 #[derive(Debug, Clone)]
 struct Piece {
     formula: Formula<f64>,
@@ -48,7 +53,7 @@ impl Part {
         Self::read(text, -1.0)
     }
 
-    /// The floor's own acceleration in the axes of a record, whose x axis points along the angle `towards`.
+    /// As recorded; the record's x axis points along the angle `towards`.
     pub fn record(fitted: Fitted, towards: quantity::Radian) -> Self {
         let along = unit_vector(towards.0);
         Self(Kind::Record { along, fitted })
@@ -84,7 +89,7 @@ impl Part {
         Ok(Self(Kind::Pull { along, pieces }))
     }
 
-    /// Whether a piece of it is an expression of the time.
+    /// Whether it has an expression of the time.
     pub(super) fn varies(&self) -> bool {
         match &self.0 {
             Kind::Pull { pieces, .. } => pieces.iter().any(|piece| piece.formula.fixed().is_none()),
@@ -100,7 +105,6 @@ impl Part {
         }
     }
 
-    /// The pull, if it is one and the same at all times.
     pub(super) fn steady_pull(&self) -> Option<[f64; 2]> {
         match &self.0 {
             Kind::Pull { along, pieces } => match &pieces[..] {
@@ -120,7 +124,7 @@ impl Part {
         }
     }
 
-    /// Its spans up to a time; a function has no pulse shorter than `width`.
+    /// A function has no pulse shorter than `width`.
     fn spans(
         &self,
         [from, to]: [f64; 2],
@@ -177,11 +181,10 @@ impl Part {
     }
 }
 
-/// A stretch of time with one formula.
 struct Span {
     from: f64,
     until: f64,
-    /// The direction of its first component in the plane.
+    /// Of its first component in the plane.
     along: [f64; 2],
     what: What,
 }
@@ -191,7 +194,7 @@ enum What {
     Fitted(Fitted),
 }
 
-/// Floors that have been made already, by the time up to which they go.
+/// By the time up to which they go.
 #[derive(Default)]
 pub(super) struct Floors(RefCell<Vec<(f64, Rc<Floor>)>>);
 
@@ -214,14 +217,13 @@ impl Floors {
     }
 }
 
-/// The sum of all parts, as an acceleration of the floor.
 pub(super) struct Floor {
     spans: Vec<Span>,
     times: [f64; 2],
 }
 
 impl Floor {
-    /// That of these parts for these times, and a steady pull beside.
+    /// For these times; and a steady pull beside.
     pub(super) fn new(
         parts: &[Part],
         pull: [f64; 2],
@@ -243,7 +245,6 @@ impl Floor {
         })
     }
 
-    /// The times at which all of these parts are known.
     pub(super) fn known(parts: &[Part]) -> [f64; 2] {
         let mut known = [f64::NEG_INFINITY, f64::INFINITY];
         for part in parts {
@@ -255,7 +256,6 @@ impl Floor {
         known
     }
 
-    /// The pull on what lies there, if it is one for all times from `t` on.
     pub(super) fn steady(&self, t: f64) -> Option<[f64; 2]> {
         let [mut x, mut y] = [0.0; 2];
         for span in self.spans.iter().filter(|span| span.until > t) {

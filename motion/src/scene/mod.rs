@@ -67,16 +67,16 @@ pub enum Body {
     },
 }
 
-/// How the body starts, at t = 0 or with the first row of a recording.
+/// At t = 0 or with the first row of a recording.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Start {
-    /// Where, from the origin of the floor: of a table, from its axis.
+    /// From the origin of the floor: of a table, from its axis.
     pub place: [Metre; 2],
     /// With which velocity.
     pub velocity: [MetrePerSecond; 2],
     /// The angular velocity of a ball; the third axis points up.
     pub spin: [RadianPerSecond; 3],
-    /// Whether the velocity is relative to the room in place of the table, as that of a coin that is set down on it.
+    /// The velocity is relative to the room in place of the table.
     pub in_room: bool,
 }
 
@@ -127,7 +127,6 @@ pub enum Units {
 }
 
 impl Units {
-    /// The name of what is called so in SI.
     fn name(self, si: &'static str) -> &'static str {
         let [length, time, speed, turning, heat] = match self {
             Self::Si => return si,
@@ -152,10 +151,9 @@ pub struct Scene {
     pub body: Body,
     /// The coefficient μ of sliding friction, dimensionless.
     pub mu: f64,
-    /// The coefficient μ_s ≥ μ up to which friction holds what is at rest, or rolls; it counts where it is larger than that of sliding
-    /// the same way.
+    /// μ_s ≥ μ up to which friction holds what is at rest, or rolls; it counts where it is larger than μ the same way.
     pub holding: f64,
-    /// The coefficient of a block that moves against x, where that is another one; it moves and is pulled along x alone then.
+    /// Of a block that moves against x, where it is another one; the block moves and is pulled along x alone then.
     pub back: Option<f64>,
     /// The acceleration of gravity.
     pub g: MetrePerSecond2,
@@ -169,7 +167,7 @@ pub struct Scene {
     pub start: Start,
     /// The names of the units in which all is given and answered.
     pub units: Units,
-    /// How long the shortest pulse of a pull that is an expression lasts; if nothing is said, a thousandth of the time.
+    /// The shortest pulse of a pull that is an expression; else a thousandth of the time.
     pub width: Option<Second>,
     /// The longest time for which an end is looked for.
     pub within: Second,
@@ -207,7 +205,6 @@ impl Scene {
         self.mu * self.normal()
     }
 
-    /// The pressure of the floor on each kilogram, in m/s².
     fn normal(&self) -> f64 {
         self.g.0 * libm::cos(self.tilt[0].0)
     }
@@ -221,7 +218,6 @@ impl Scene {
         })
     }
 
-    /// The pull down the tilted floor.
     fn slope(&self) -> [f64; 2] {
         let [tilt, down] = self.tilt;
         unit_vector(down.0).map(|c| c * self.g.0 * libm::sin(tilt.0))
@@ -307,7 +303,6 @@ impl SceneError {
     }
 }
 
-/// Requires that a number is fit.
 fn check(name: &'static str, value: f64, fit: bool, range: &'static str) -> Result<(), SceneError> {
     fit.then_some(())
         .ok_or_else(|| SceneError::given(name, value, range))

@@ -56,7 +56,7 @@ pub struct Moved {
     followed: Followed,
     from: f64,
     to: f64,
-    /// The heat on each kilogram for each metre of sliding.
+    /// Per kilogram and metre of sliding.
     friction: f64,
     drive_error: f64,
 }
@@ -69,9 +69,9 @@ enum Followed {
     Table(Path),
 }
 
-/// The least friction of a ball, which is none.
+/// Of a ball that has none.
 const LEAST: f64 = 1e-50;
-/// Each time as much longer is looked for an end that does not come.
+/// An end that does not come is looked for in a time as many times longer.
 const LONGER: f64 = 4.0;
 
 pub(super) fn moved(scene: &Scene, until: Until, floors: &Floors) -> Result<Moved, SceneError> {
@@ -131,7 +131,6 @@ pub(super) fn moved(scene: &Scene, until: Until, floors: &Floors) -> Result<Move
     }
 }
 
-/// A scene with its numbers checked, in SI.
 struct Made<'a> {
     scene: &'a Scene,
     floors: &'a Floors,
@@ -223,7 +222,7 @@ impl<'a> Made<'a> {
         })
     }
 
-    /// Why no stop comes after this motion, where that is certain.
+    /// Where that is certain.
     fn endless(&self, until: Until, moved: &Moved) -> Result<Option<&'static str>, SceneError> {
         if !matches!(until, Until::Stop | Until::Rest) {
             return Ok(None);
@@ -264,7 +263,7 @@ impl<'a> Made<'a> {
             }
         };
         let friction = brake * self.scene.friction();
-        // What moves straight against the pull turns round within that time; the rest of what is pulled so hard never stops.
+        // It turns round within that time; the rest of what is pulled so hard never stops.
         let turned = (moved.to - self.from) * (pull + friction) > speed + slip;
         Ok((pull >= friction && (turned || pull + friction == 0.0)).then_some(why))
     }
@@ -278,7 +277,6 @@ impl<'a> Made<'a> {
         })
     }
 
-    /// The motion up to the time `to`.
     fn follow(&self, to: f64) -> Result<Moved, SceneError> {
         check("until", to, to >= self.from, "not before the start")?;
         let state = State {
@@ -354,14 +352,12 @@ impl<'a> Made<'a> {
         }
     }
 
-    /// The largest pull that friction holds, of one along `x`.
     fn held(&self, x: f64) -> f64 {
         let Scene { mu, back, .. } = *self.scene;
         let mu = back.filter(|_| x < 0.0).unwrap_or(mu);
         self.scene.holding.max(mu) * self.scene.normal()
     }
 
-    /// Since when it is at rest for good, if it is at the end of this motion.
     fn at_rest(&self, moved: &Moved) -> Result<Option<f64>, SceneError> {
         let since = match moved.events().last() {
             Some(Event {
@@ -397,7 +393,7 @@ impl Moved {
         self.moment(t, &self.tracks()?)
     }
 
-    /// The path and, of a ball, what its lowest point has slid.
+    /// And, of a ball, what its lowest point has slid.
     fn tracks(&self) -> Result<(Track<'_>, Option<Track<'_>>), SceneError> {
         Ok(match &self.followed {
             Followed::Block(motion) | Followed::Line(_, motion) => (motion.track()?, None),
@@ -460,8 +456,7 @@ impl Moved {
         self.at(Second(self.from))
     }
 
-    /// How far velocity, place and heat may be off for the error of the floor's motion: friction lets no two motions part faster
-    /// than their pulls. And that error, as a part of friction.
+    /// Friction lets no two motions part faster than their pulls. Last that error, as a part of friction.
     pub(super) fn by_drive(&self, end: &Moment) -> [f64; 4] {
         let time = end.t.0 - self.from;
         let velocity = std::f64::consts::SQRT_2 * self.drive_error * time;
@@ -477,12 +472,10 @@ impl Moved {
         [velocity, place, rough * place, part]
     }
 
-    /// The same motion up to this time.
     fn ended(self, to: f64) -> Self {
         Self { to, ..self }
     }
 
-    /// When the end that is asked for has come, if it has.
     fn reached(&self, until: Until, made: &Made) -> Result<Option<f64>, SceneError> {
         // What never moves has stopped as it starts.
         if until == Until::Stop && made.at_rest(self)? == Some(self.from) {
@@ -525,7 +518,6 @@ impl Moved {
             (0.0..=1e6 + 0.5).contains(&count),
             "positive, a millionth of the time or more",
         )?;
-        // The last one is the end, if it is not within rounding of it.
         let whole = libm::ceil(count * (1.0 - 1e-12)) as u32;
         let times = (0..whole).map(|k| self.from + f64::from(k) * step.0);
         let tracks = self.tracks()?;
@@ -535,7 +527,7 @@ impl Moved {
             .collect()
     }
 
-    /// What it does from the start on, and every change of that; a slide that passes a stop and goes on begins anew.
+    /// From the start on, every change of what it does; a slide that passes a stop and goes on begins anew.
     pub fn events(&self) -> Vec<Event> {
         let event = |t, doing| Event {
             t: Second(t),

@@ -7,10 +7,10 @@ use crate::numerics::{
 };
 use std::{fmt, str::FromStr};
 
-/// Powers of metre, second and kilogram.
+/// Of metre, second and kilogram.
 type Dimension = [i8; 3];
 
-/// The units that can be written, with their size in SI. Angles and turns have no dimension; g is that of the Earth.
+/// With size in SI. Angles and turns have no dimension.
 const UNITS: [(&str, f64, Dimension); 31] = [
     ("m", 1.0, [1, 0, 0]),
     ("km", 1e3, [1, 0, 0]),
@@ -45,7 +45,7 @@ const UNITS: [(&str, f64, Dimension); 31] = [
     ("1", 1.0, [0, 0, 0]),
 ];
 
-/// The size of a unit such as `km/h`, `m/s^2`, `m/s2`, `1/s` and its dimension.
+/// Such as `km/h`, `m/s^2`, `m/s2`, `1/s`; its size and dimension.
 fn unit(text: &str) -> Option<(f64, Dimension)> {
     let (mut size, mut dimension) = (1.0, [0; 3]);
     let mut side = 1;
@@ -66,8 +66,8 @@ fn unit(text: &str) -> Option<(f64, Dimension)> {
     Some((size, dimension))
 }
 
-/// A number with a unit of the dimension of `si`; a plain one is in SI. Its value and the unit's size;
-/// `value` reads a number, and `what` says what it is to be.
+/// `si` has the dimension; a plain number is in SI. Its value and the unit's size; `value` reads a number, and `what` says what
+/// it is to be.
 pub(super) fn read<T>(
     what: &'static str,
     si: &'static str,
@@ -85,7 +85,7 @@ pub(super) fn read<T>(
         Ok(value) => return Ok((value, 1.0)),
         Err(error) => error.to_string(),
     };
-    // The longest beginning that is a number, so that `1/2 m` is half a metre.
+    // The longest number, so that `1/2 m` is half a metre.
     let ends: Vec<_> = text.char_indices().map(|(at, _)| at).skip(1).collect();
     let mut found = ends.into_iter().rev().filter_map(|end| {
         let (number, name) = text.split_at(end);

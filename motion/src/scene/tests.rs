@@ -1,6 +1,5 @@
 use super::*;
 
-/// A number of the end of a scene.
 fn asked(body: &str, words: &[(&str, &str)], name: &str) -> f64 {
     let none = |file: &str| Err(SceneError::Word(file.to_owned()));
     let (scene, until) = Scene::read(body, words.iter().copied(), none).unwrap();
@@ -38,7 +37,7 @@ fn what_holds_is_not_what_brakes() {
     near(held("3.93"), 0.5 * (3.93 - 0.3 * 9.80665), 1e-11);
 }
 
-/// Not after an hour of looking, but by Newton's law; and what turns round, or is held at last, does stop.
+/// By Newton's law, without looking; what turns round, or is held at last, does stop.
 #[test]
 fn what_never_stops_is_known_at_once() {
     let ends = |body: &str, text: &str| {
@@ -119,7 +118,7 @@ fn numbers_have_units() {
     );
 }
 
-/// Mirror images are: of what breaks loose too. By hand: ½ (3 − 0.2 g) 2².
+/// Also what breaks loose; ½ (3 − 0.2 g) 2² by hand.
 #[test]
 fn what_slides_each_way_has_its_own_friction() {
     for (mu, back, pull, sign) in [("0.2", "0.4", "3", 1.0), ("0.4", "0.2", "-3", -1.0)] {
@@ -137,7 +136,7 @@ fn what_slides_each_way_has_its_own_friction() {
     }
 }
 
-/// By DOP853 from stop to stop, and by small implicit steps. What rolls on a floor that shakes ends at rest.
+/// By DOP853 from stop to stop, and by small implicit steps.
 #[test]
 fn the_truth_lies_within_the_error_of_what_is_shown() {
     let record = |across: f64| {

@@ -51,7 +51,6 @@ words! {
     "until" "stop, rolling, rest, TIME, LENGTH or beyond=LENGTH" "The end, with its unit, or time=2, path=1.81: the first stop, rolling, the rest that nothing ends any more, a time, a length of the path, a distance from the start or the table's axis [default: stop, or rolling]";
 }
 
-/// A number without a unit.
 fn number(name: &'static str, text: &str) -> Result<f64, SceneError> {
     let number = expression(text, |digits| digits.parse().ok());
     let why = match number {
@@ -67,7 +66,6 @@ fn number(name: &'static str, text: &str) -> Result<f64, SceneError> {
     })
 }
 
-/// A size along a direction.
 fn vector<T: FromStr<Err = SceneError>>(
     text: &str,
     of: fn(T) -> f64,
@@ -284,7 +282,7 @@ impl Scene {
     }
 }
 
-/// Whether a number of the text has a unit; angles may.
+/// Angles may.
 fn has_unit(text: &str) -> bool {
     let parts = text.split([',', ':', '@', '=']);
     let units = parts

@@ -1,7 +1,7 @@
 //! A sphere that moves along x on a plane whose friction depends on the way in which it slides (section 3.4).
 //!
-//! Newton's and Euler's laws as for any sphere: while its lowest point slides forwards, friction is −μ₊mg, while it
-//! slides backwards, +μ₋mg; it rolls while the force that this takes lies between the two.
+//! While its lowest point slides forwards, friction is −μ₊mg, backwards +μ₋mg; it rolls while the force that this takes lies
+//! between.
 
 use super::{
     super::acceleration::{Acceleration, Coefficients, known, most_steps},
@@ -14,7 +14,7 @@ use crate::numerics::{
     taylor::{TERMS, reach},
 };
 
-/// A sphere, whose `mu` serves forward sliding, with another coefficient of friction for backward sliding.
+/// `mu` serves forward sliding, another coefficient backward sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Directed {
     /// The sphere and the plane; `mu` is μ₊.
@@ -121,7 +121,6 @@ impl Directed {
         Err(MotionError::Steps { limit, t: state.t })
     }
 
-    /// One piece with one analytic description: its way, and the way in which sliding begins at its end.
     fn piece(
         &self,
         plane: &dyn Acceleration,
@@ -213,7 +212,6 @@ fn constant(force: f64) -> Coefficients {
     std::array::from_fn(|k| if k == 0 { force } else { 0.0 })
 }
 
-/// The series with this first coefficient and this derivative.
 fn integral(start: f64, rate: impl Fn(usize) -> f64) -> Coefficients {
     std::array::from_fn(|k| {
         if k == 0 {
@@ -273,8 +271,7 @@ mod tests {
         }
     }
 
-    /// What rolling takes of friction is A/(bμg) of it, b = 7/2: the sphere rolls where that is all of it to the last digits, and slides where it is
-    /// a part in 10¹¹ more.
+    /// Rolling takes A/(bμg) of friction, b = 7/2: the sphere slides where that is a part in 10¹¹ more than all.
     #[test]
     fn rolling_needs_no_more_than_friction_gives() {
         let directed = Directed {
@@ -292,7 +289,6 @@ mod tests {
         assert_eq!([-1e-11, 0.0, 1e-14, 1e-11].map(way), [0, 0, 0, 1]);
     }
 
-    /// In the limit of rolling the plane gains nothing; with less friction forwards it drags the sphere forwards.
     #[test]
     fn each_way_has_its_own_friction() {
         let sphere = Sphere::with_kappa(0.4);
@@ -301,7 +297,6 @@ mod tests {
             mu_minus: 2.0,
         };
         let still = Plane::constant([0.0, 0.0]);
-        // Sliding ends after |c|/(bμg), b = 7/2.
         let forwards = directed.run(&still, [1.0, 0.0], 0.0, 5.0).unwrap();
         let backwards = directed.run(&still, [-1.0, 0.0], 0.0, 5.0).unwrap();
         assert!(
@@ -320,7 +315,7 @@ mod tests {
                 .collect::<Vec<_>>(),
             [-1, 0]
         );
-        // Rolling holds for −A up to bμ₊g and A up to bμ₋g.
+        // Rolling holds up to bμ₊g and bμ₋g.
         for (a, way) in [(-3.4, 0), (-3.6, 1), (6.9, 0), (7.1, -1)] {
             let motion = directed
                 .run(&Plane::constant([a, 0.0]), [0.0; 2], 0.0, 1.0)
@@ -393,7 +388,6 @@ mod tests {
 
     #[test]
     fn a_velocity_beyond_all_numbers_is_an_error() {
-        // So little inertia that it rolls at |A| = 10²⁹⁹: with its radius the angular velocity is still a number.
         let directed = Directed {
             sphere: Sphere {
                 mass: 1e50,

@@ -14,21 +14,19 @@ use crate::numerics::{
     taylor::{Control, Integrator, Step, TERMS, reach},
 };
 
-/// A contact velocity below this part of the largest one ends sliding.
+/// As a part of the largest contact velocity.
 const STOP: f64 = 1e-18;
-/// So does one below this part where rolling holds what sliding does not: on the way straight to zero rounding turns it by then.
+/// The same where rolling holds what sliding does not: rounding turns it by then.
 const STILL: f64 = 1e-12;
-/// At the start, below this part of the velocities of which it is the sum, it is zero.
+/// As a part of the velocities of which it is the sum at the start.
 const NONE: f64 = 1e-14;
-/// A component of it below this part of the other is zero, before it underflows.
+/// As a part of the other component, before it underflows.
 const NEGLIGIBLE: f64 = 1e-90;
-/// The force needed for rolling and μ_s mg count as equal to this relative precision of their squares.
+/// For the squares of the force needed for rolling and μ_s mg.
 const EQUAL: f64 = 1e-13;
 
-/// A motion in the making.
 struct Run<'a> {
     sphere: &'a Sphere,
-    /// The same with μ_s for μ.
     rough: Sphere,
     plane: &'a dyn Acceleration,
     until: f64,
@@ -38,12 +36,10 @@ struct Run<'a> {
     pieces: Vec<Piece>,
     transitions: Vec<Transition>,
     begin: Option<Contact>,
-    /// Whether rolling has just ended as the pull outgrew friction: what the rounding of the time makes of that is nothing.
+    /// Rolling has just ended: what rounding of the time makes of the pull is nothing.
     released: bool,
 }
 
-/// The acceleration about the present time, how long its series serves, and the time at which that is over if a
-/// break or the end of the motion ends it.
 struct Local {
     a: [Coefficients; 2],
     left: f64,
@@ -144,7 +140,7 @@ impl Run<'_> {
         libm::hypot(self.parts[7], self.parts[8])
     }
 
-    /// Notes what the motion is from now on. Sliding that goes on after its first moments is noted once.
+    /// Sliding that goes on after its first moments is noted once.
     fn enter(&mut self, contact: Contact) {
         match (self.begin, self.transitions.last()) {
             (None, _) => self.begin = Some(contact),
@@ -186,7 +182,6 @@ impl Run<'_> {
         })
     }
 
-    /// Slides until the contact velocity is zero or the motion ends.
     fn slide(&mut self) -> Result<(), MotionError> {
         let mut fastest = 0f64;
         let mut carried = ([0.0; 10], Work::default());
@@ -242,7 +237,7 @@ impl Run<'_> {
                 && libm::hypot(local.a[0][0], local.a[1][0])
                     <= self.sphere.yielding(self.rough.friction());
             if self.slip() <= STOP * fastest || still {
-                // What is left of the time is below the rounding of the time that sliding took.
+                // Below the rounding of the time that sliding took.
                 (self.parts[7], self.parts[8]) = (0.0, 0.0);
                 return Ok(());
             }
@@ -250,7 +245,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// From zero contact velocity: rolls for a while, or begins to slide.
+    /// Rolls for a while, or begins to slide.
     fn leave_rest(&mut self) -> Result<(), MotionError> {
         let local = self.local()?;
         let give = self.sphere.yielding(1.0);
@@ -300,10 +295,9 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// A piece over the time `h`, if that is left, with a contact velocity known by its series.
+    /// If that is left, with a contact velocity known by its series.
     fn slip_by(&mut self, local: &Local, c: &[Coefficients; 2], h: f64) {
         let give = self.sphere.yielding(1.0);
-        // The force that the plane must exert for c to change as it does.
         let force = [0, 1].map(|i| {
             std::array::from_fn(|k| {
                 let rate = c[i].get(k + 1).map_or(0.0, |next| (k + 1) as f64 * next);
@@ -318,7 +312,6 @@ impl Run<'_> {
         self.follow(&local.a, &force, c, h, landing);
     }
 
-    /// A piece over the time `h` under a known force.
     fn follow(
         &mut self,
         a: &[Coefficients; 2],

@@ -6,7 +6,6 @@ use crate::numerics::{
     taylor::{System, TERMS},
 };
 
-/// The laws of sliding about a time at which the acceleration is known.
 pub(super) struct Sliding<'a> {
     sphere: &'a Sphere,
     /// A about the beginning of the step, as series in t.
@@ -43,7 +42,7 @@ impl<'a> Sliding<'a> {
     }
 }
 
-/// Series that a step needs besides the state.
+/// What a step needs besides the state.
 #[derive(Default)]
 pub(super) struct Work {
     squared: Coefficients,

@@ -28,8 +28,7 @@ fn still() -> Plane {
     Plane::constant([0.0; 2])
 }
 
-/// The lowest point moves as a block that friction holds with what it has on that point, slips however slow and noise included;
-/// late in a record too, where its times are rounded by more than forces.
+/// As one that friction holds with what it has on that point; late in a record too, where times are rounded by more than forces.
 #[test]
 fn the_lowest_point_moves_as_a_block() {
     let sphere = Sphere {
@@ -66,7 +65,7 @@ fn the_lowest_point_moves_as_a_block() {
 
 #[test]
 fn a_ball_set_down_sliding_ends_rolling() {
-    // Angular momentum about the line of contact: m v R stays, (m + I/R²) v_end = m v₀. v₀ − v_end = μg t.
+    // Angular momentum about the line of contact stays. v₀ − v_end = μg t.
     for (kappa, part) in [
         (0.4, 5.0 / 7.0),
         (2.0 / 3.0, 0.6),
@@ -90,7 +89,6 @@ fn a_ball_set_down_sliding_ends_rolling() {
             (first.t - time).abs() < 1e-13 && first.to == Contact::Rolling,
             "{first:?}"
         );
-        // Sliding: uniformly decelerated; rolling: steady.
         let way = 5.0 * time - 0.5 * 0.35 * 9.81 * time * time + 5.0 * part * (5.0 - time);
         assert!((libm::hypot(end.x[0], end.x[1]) - way).abs() < 1e-12);
         let expected = sphere.rolling(end.v, 2.0);
@@ -223,7 +221,6 @@ proptest! {
     }
 }
 
-/// A plane that swings along a slanting line does to the sphere what it does along x, but for a rotation.
 #[test]
 fn a_release_along_a_slanting_line_is_one_along_x() {
     let sphere = Sphere::with_kappa(0.88);
@@ -249,13 +246,12 @@ fn a_release_along_a_slanting_line_is_one_along_x() {
 
 #[test]
 fn what_a_start_is_counts_from_the_start() {
-    // Without a time to move in, too.
     let sphere = Sphere::with_kappa(0.4);
     for (v, contact) in [([1.0, 0.0], Contact::Sliding), ([0.0; 2], Contact::Rolling)] {
         let motion = sphere.run(&still(), &ball(v, [0.0; 3]), 0.0).unwrap();
         assert_eq!(motion.contact(0.0).unwrap(), contact);
     }
-    // A plane that is too rough to roll on makes it slide from the start: nothing changes after that.
+    // Nothing changes where it slides from the start.
     for plane in [
         Plane::constant([3.6, 0.0]),
         Plane::rotating(Signal::constant(4.0), 1.0, 0.3),
@@ -283,7 +279,7 @@ fn a_contact_velocity_counts_beside_the_velocities_of_which_it_is_the_sum() {
 
 #[test]
 fn a_pull_at_the_limit_that_hardly_grows_is_rolled_on() {
-    // A = 3.5 μg at the start. Within 10⁻⁸ it grows by 10⁻¹⁴, which is below rounding; within 1 it is not.
+    // Within 10⁻⁸ A grows by 10⁻¹⁴, which is below rounding; within 1 it is not.
     let sphere = Sphere::with_kappa(0.4);
     let plane = Plane::along([1.0, 0.0], Signal::Polynomial(vec![3.5, 1e-6]));
     for (until, contact) in [(1e-8, Contact::Rolling), (1.0, Contact::Sliding)] {
@@ -302,7 +298,6 @@ fn a_slip_across_that_is_next_to_nothing_is_nothing() {
             let mut v = [1.0; 2];
             v[i] = small;
             let motion = sphere.run(&still(), &ball(v, [0.0; 3]), 1.0).unwrap();
-            // It slides until 2/7.
             let slip = motion.slip(0.28).unwrap();
             assert!((slip[1 - i] - 0.02).abs() < 1e-14, "{slip:?}");
             assert_eq!(slip[i] != 0.0, kept, "{slip:?}");
@@ -340,7 +335,7 @@ fn a_direction_that_begins_to_turn_late_turns_by_the_law() {
     }
 }
 
-/// Let go at the time T under A = sin(t − T + asin 0.999) with the limit 0.999: also where a step of the square is over sooner.
+/// At the time T under A = sin(t − T + asin 0.999) with the limit 0.999: also where a step of the square is over sooner.
 #[test]
 fn it_is_let_go_however_long_it_has_rolled() {
     let level = 0.999;
@@ -365,8 +360,8 @@ fn it_is_let_go_however_long_it_has_rolled() {
     }
 }
 
-/// Rolling takes a friction of A/(bg), b = 7/2: 6/5 here. Thrown against the pull it stops to slide after |c|/(bμg + A), in any
-/// direction; then it rolls if static friction is 5/4, and slips back if it is 11/10.
+/// Thrown against a pull that needs 6/5 for rolling, it stops to slide after |c|/(bμg + A), b = 7/2; then it rolls if static
+/// friction is 5/4, and slips back if it is 11/10.
 #[test]
 fn what_has_stopped_to_slide_rolls_as_long_as_static_friction_holds() {
     let sphere = Sphere {

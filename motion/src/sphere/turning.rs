@@ -11,7 +11,6 @@ use super::{Sphere, check};
 use crate::error::MotionError;
 use crate::numerics::taylor::{Control, Path, System, TERMS, integrate};
 
-/// Steps that a motion may take.
 const STEPS: usize = 50_000;
 
 /// The plane, and the pull.
@@ -23,7 +22,6 @@ pub struct Turning {
     pub pull: [f64; 2],
 }
 
-/// The right-hand side.
 struct Rolls<'s> {
     turning: Turning,
     sphere: &'s Sphere,
@@ -86,7 +84,7 @@ impl System<f64, 4, TERMS> for Rolls<'_> {
 mod tests {
     use super::*;
 
-    /// v + ω×R, with ω from R×F/I by a sum over many short pieces, is Ω ẑ×r.
+    /// ω is from R×F/I, by a sum over many short pieces.
     #[test]
     fn the_contact_keeps_up_with_the_plane() {
         let sphere = Sphere {
@@ -145,7 +143,7 @@ mod tests {
         ));
     }
 
-    /// F = mP/2 holds a hoop on a slope, and F = mΩv/2 turns one on a turning plane: μ = 1/4 does where g = 1, and no less.
+    /// F = mP/2 on a slope, F = mΩv/2 on a turning plane: μ = 1/4 does where g = 1.
     #[test]
     fn it_rolls_where_friction_just_suffices() {
         for (omega, v, pull) in [
@@ -174,8 +172,7 @@ mod tests {
         }
     }
 
-    /// From rest under a pull P a hoop goes around with the velocity of its drift, P/Ω: F is P/2 at first, and 3P/2 half a turn
-    /// later, after 2π/Ω.
+    /// A hoop goes around with the velocity of its drift, P/Ω: F is P/2 at first, and 3P/2 half a turn later, after 2π/Ω.
     #[test]
     fn friction_has_to_suffice_all_the_way() {
         let turning = Turning {

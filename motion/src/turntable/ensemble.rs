@@ -1,9 +1,5 @@
-//! Many particles on the table at once: each is followed until it rests, until it is far out, or until its time is up.
-//!
-//! The law of motion is that of [`intrinsic`](super::intrinsic), the certainty of a rest that of
-//! [`fate`](super::fate()). What is new is only how the work is laid out: eight particles share a vector register, and
-//! a particle that has come to its end makes room for the next at once. One that comes so close to the border of rest and
-//! escape that these steps are too rough is followed once more, alone and more closely.
+//! Many particles on the table at once: each is followed until it rests, is far out, or its time is up. Eight share a vector
+//! register. One for which these steps are too rough, close to the border of rest and escape, is followed once more, alone.
 
 use super::{
     fate::{self, Speeds, judge},
@@ -32,7 +28,6 @@ pub struct Horizon {
     pub tau: f64,
 }
 
-/// The slow equations of particles that are followed alone, in both kinds of numbers.
 static NARROW: LazyLock<Slow<f64>> = LazyLock::new(Slow::new);
 static WIDE: LazyLock<Slow<Double>> = LazyLock::new(Slow::new);
 
@@ -70,7 +65,7 @@ pub const STEPS: u32 = 5000;
 const TERMS: usize = 20;
 const TOLERANCE: f64 = -40.0;
 
-/// Terms of the series of a particle that is followed alone, in both kinds of numbers.
+/// Of the series of a particle that is followed alone, in both kinds of numbers.
 const CLOSELY: usize = 24;
 const EXACTLY: usize = 44;
 
@@ -80,28 +75,27 @@ const SLOW: f64 = 1e-6;
 /// Wanted half-width of the bounds of σ.
 const RADIUS: f64 = 2e-10;
 
-/// What the steps of many at once cost: less than 2^TOLERANCE, as measured.
+/// Less than 2^TOLERANCE, as measured.
 const LOST: f64 = 7e-13;
 
-/// What the steps of a particle alone cost, in spacings of its numbers, at most.
+/// In spacings of its numbers, at most.
 const LOST_ALONE: f64 = 64.0;
 
-/// The steps of many know a speed to what they cost beside 1. A particle that begins slower is followed alone.
+/// Steps of many know a speed to what they cost beside 1. What begins slower is followed alone.
 const FAST: f64 = 1e-3;
 
-/// The estimate of the last moments serves where the friction's lead weakens by no more than this part in them.
+/// By no more than this the friction's lead may weaken in the last moments.
 const WEAKENING: f64 = 1e-4;
 
-/// A particle that comes closer than this to p = w = 0, the border's brink, is followed alone.
+/// What comes closer to p = w = 0 is followed alone.
 const BRINK: f64 = 0.001;
 
-/// Particles in one piece of work for one thread.
 const PIECE: usize = 1024;
 
 impl Horizon {
-    /// The ends of these particles' ways, in their order, or why there is none: for a start that no constructor of [`Start`]
-    /// gives, or one at rest beyond ρ = 1 (it starts by itself, and this time is not that of the ensemble), and for that alone. With
-    /// the feature `parallel` all cores share the work; the result does not depend on how.
+    /// The ends of these particles' ways, in their order. Only a start that no constructor of [`Start`] gives, or one at rest
+    /// beyond ρ = 1 (it starts by itself, at a time of its own), has none. With the feature `parallel` all cores share the work;
+    /// the result does not depend on how.
     ///
     /// Cost: for each some fifty steps as a rule, and at most [`STEPS`] before it is followed alone.
     ///
@@ -143,9 +137,9 @@ impl Horizon {
         starts.iter().map(end).collect()
     }
 
-    /// The end of the way of one particle from the distance `rho` with the speed `p` and the angle `psi` (radians), all
-    /// three taken as exact, in numbers of twice the width: also where their rounding to `f64` would decide. Some
-    /// hundred times the work of [`follow`](Self::follow).
+    /// The end of one particle's way from the distance `rho`, the speed `p` and the angle `psi` (radians), taken as exact, in
+    /// numbers of twice the width: also where rounding to `f64` would decide. Some hundred times the work of
+    /// [`follow`](Self::follow).
     ///
     /// # Errors
     /// As for [`follow`](Self::follow) and [`Start::polar`].
@@ -167,31 +161,24 @@ impl Horizon {
     }
 }
 
-/// Whether a start can be followed, before it is done.
 fn moves(start: &Start) -> Result<(), MotionError> {
     check(start)?;
     let moves = start.p > 0.0 || start.rho() <= 1.0;
     super::argument("p", start.p, moves, "positive where rho > 1")
 }
 
-/// How far a way went.
 #[derive(Clone, Copy)]
 struct Extremes {
     /// How close it came to p = w = 0.
     brink: f64,
-    /// The greatest speed.
     most: f64,
 }
 
-/// What ends a particle's way.
 trait Watch {
-    /// How it ends.
     type End: Clone;
 
-    /// Whether a motion may have come to its end, for the states after a step.
     fn over<const L: usize>(&self, states: &[Lanes<L>; 4]) -> [bool; L];
 
-    /// The end of a motion's way, if it lies in the step `h` long with this series and this state at its end.
     fn end(
         &self,
         series: impl FnOnce() -> [[f64; TERMS]; 4],
@@ -200,16 +187,13 @@ trait Watch {
         extremes: Extremes,
     ) -> Option<Self::End>;
 
-    /// The end of a motion from `start` that the steps of many do not find, or not well.
+    /// An end that the steps of many do not find, or not well.
     fn alone(&self, start: &Start) -> Self::End;
 
-    /// Whether this motion is one for the steps of many.
     fn is_for_many(&self, start: &Start) -> bool;
 
-    /// Whether an end is not known well enough.
     fn is_rough(end: &Self::End, extremes: Extremes) -> bool;
 
-    /// The ends of some particles' ways, on one core.
     fn piece(&self, starts: &[Start]) -> Vec<Self::End>
     where
         Self: Sized,
@@ -339,9 +323,7 @@ impl Watch for Horizon {
 }
 
 impl Horizon {
-    /// The end of a motion's way beyond the horizon, if it lies in this step.
-    ///
-    /// What was `lost` on the way is by so much more, `amplified`, where the way came close to the border of rest.
+    /// If it lies in this step. What was `lost` on the way is by so much more, `amplified`, close to the border of rest.
     fn ended<const N: usize>(
         &self,
         series: impl FnOnce() -> [[f64; N]; 4],
@@ -391,12 +373,11 @@ impl Horizon {
         })
     }
 
-    /// Whether it starts moving at the horizon's distance or beyond.
     fn is_beyond(&self, start: &Start) -> bool {
         start.p > 0.0 && start.rho() >= self.rho
     }
 
-    /// The end of a particle's way, by shorter steps and by the slow equations; nothing where rounding decides.
+    /// By shorter steps and by the slow equations; nothing where rounding decides.
     fn closely<T: Width, const N: usize>(&self, start: Exact<T>, slow: &Slow<T>) -> Option<End> {
         let zero = T::from_f64(0.0);
         let mut state = [zero, start.p, start.deficit, start.zeta];
@@ -465,8 +446,7 @@ impl Horizon {
     }
 }
 
-/// The end of one of many motions, of this greatest speed, that is certain to come to rest, if its place is known well
-/// enough.
+/// If it is certain to rest and its place is known well enough; `most` is its greatest speed.
 fn settled(state: &[f64; 4], most: f64) -> Option<End> {
     let Last {
         time,
@@ -490,7 +470,6 @@ fn settled(state: &[f64; 4], most: f64) -> Option<End> {
         late: beyond * time,
         ..rest
     };
-    // The steps of many lose as much of a slow motion as of a fast one.
     let speeds = Speeds {
         most: 1.0,
         entry: Some(most),
@@ -504,7 +483,7 @@ fn settled(state: &[f64; 4], most: f64) -> Option<End> {
     })
 }
 
-/// The end of a motion that is followed alone, if it is certain to come to rest and all is known that can be.
+/// If it is certain to rest and all is known that can be.
 fn ends_closely<T: Width>(state: &[T; 4], speeds: Speeds) -> Option<End> {
     let (fate::Certain::Rest(rest), true) = judge(state)? else {
         return None;
@@ -518,17 +497,16 @@ fn ends_closely<T: Width>(state: &[T; 4], speeds: Speeds) -> Option<End> {
     })
 }
 
-/// What is left before a rest that is near: time, way, and the part by which w weakens meanwhile.
+/// Time, way, and the part by which w weakens meanwhile.
 struct Last {
     time: f64,
     way: f64,
     weakening: f64,
 }
 
-/// With w as it is, p falls like e^−ws and ζ with it, dζ/ds = −p − (1 − w)ζ, so that the time is ∫p ds = p/w and the way
-/// ∫p² ds = p²/(2w). That w itself falls, dw/ds = −ζ², adds to them, for k = 1 and 2, the part ∫e^−kws ζ² ds / w. These
-/// integrals follow from those of p² and pζ, and all of them from what the derivatives of e^−kws times p², pζ and ζ² are.
-/// What is left out is smaller by as much again.
+/// With w as it is, p falls like e^−ws and ζ with it, dζ/ds = −p − (1 − w)ζ, so that the time is ∫p ds = p/w and the way ∫p² ds =
+/// p²/(2w). That w itself falls, dw/ds = −ζ², adds to them, for k = 1 and 2, the part ∫e^−kws ζ² ds / w, from the derivatives of
+/// e^−kws times p², pζ and ζ². What is left out is smaller by as much again.
 fn last_moments(&[_, p, w, zeta]: &[f64; 4]) -> Last {
     let part = |k: f64| {
         let of_squares = p * p / ((k + 2.0) * w);
@@ -550,11 +528,9 @@ fn last_moments(&[_, p, w, zeta]: &[f64; 4]) -> Last {
     }
 }
 
-/// Follows a particle until its [fate](mod@super::fate) is certain.
 struct Certain;
 
 impl Watch for Certain {
-    /// Whether it comes to rest; nothing where rounding decides.
     type End = Option<bool>;
 
     #[inline(always)]
@@ -596,7 +572,7 @@ pub fn rests(starts: &[Start]) -> Result<Vec<Option<bool>>, MotionError> {
     Ok(Certain.piece(starts))
 }
 
-/// Where a function that is positive at `h` was zero before, by Newton's rule from its value and slope.
+/// By Newton's rule; the function is positive at `h`.
 fn crossing(mut h: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
     for _ in 0..20 {
         let (value, slope) = function(h);
@@ -628,7 +604,6 @@ mod tests {
         tau: 50.0,
     };
 
-    /// Starts at ρ = 0.5 in all directions with speeds up to 2: some rest, some do not.
     fn starts() -> Vec<Start> {
         let one = |k: usize| {
             let (speed, angle) = (0.02 * (k % 100) as f64 + 0.01, 2.399963 * k as f64);
@@ -769,7 +744,6 @@ mod tests {
             p: f64::NAN,
             ..still
         };
-        // A start that is refused changes no other's end.
         for bad in [loose, broken] {
             let refused = |end: &_| matches!(end, Err(MotionError::Argument { name: "p", .. }));
             for follow in [Horizon::follow, Horizon::follow_alone] {
@@ -811,7 +785,6 @@ mod tests {
             Lanes(cases.map(|(_, eta, p, ..)| p - eta)),
         ];
         assert_eq!(horizon.over(&states), cases.map(|(.., over)| over));
-        // Near: p + ρ < 1. Outward: ξ > 1. Neither.
         let states = [
             Lanes([0.0; 3]),
             Lanes([0.1, 0.1, 0.6]),
@@ -835,7 +808,6 @@ mod tests {
                 "{rho} {p}"
             );
         }
-        // Rounding puts this one inside.
         let start = Start::polar(100.0, 99.0, 1.57).unwrap();
         let [Ok(End::Far { tau, tau_error })] = HORIZON.follow(&[start]).unwrap()[..] else {
             panic!()
@@ -891,7 +863,6 @@ mod tests {
             assert!((place - sigma).abs() <= sigma_error && sigma_error < 1e-10);
             assert!((time - tau).abs() <= tau_error && (time - tau).abs() < 1e-8);
         }
-        // Too fast to rest there: it hovers, and goes.
         let [Ok(End::Far { tau, tau_error })] =
             HORIZON.follow(&[place(0.9999, 1.1e-4, 0.0)]).unwrap()[..]
         else {
@@ -917,7 +888,7 @@ mod tests {
         assert!((there.p - exact.p).abs() < 1e-10 && (there.zeta - exact.zeta).abs() < 1e-10);
     }
 
-    /// Just inside the horizon and nearly along it, where the rounding of the place makes most of the time.
+    /// Just inside the horizon and nearly along it: the rounding of the place makes most of the time.
     #[test]
     fn the_time_of_a_crossing_is_known_as_closely_as_the_place_is() {
         let horizon = Horizon {
@@ -947,7 +918,7 @@ mod tests {
         assert!(worst > 0.1, "{worst}");
     }
 
-    /// States near rest whose w weakens by at most a thousandth, by ζ for the most part and by p beside it.
+    /// w weakens by at most a thousandth, by ζ for the most part and by p beside it.
     #[test]
     fn the_last_moments_leave_out_no_more_than_the_square_of_what_they_add() {
         for w in [0.2, 0.6, 1.0, 1.4] {

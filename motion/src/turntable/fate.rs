@@ -21,10 +21,9 @@
 //!   as long as w > 0. Then (p² − w²)′ = 2w(ζ² − p²) ≥ 0, so p² − w² stays above a positive number, and
 //!   w′ = −ζ² ≤ −p² below a negative one: w becomes zero, which is the property before.
 //!
-//! Such a particle goes away for ever. If it stayed within bounds, ρ² − p² would converge and the way
-//! ∫p dτ be finite, so the place would converge; there the pull would have to be balanced for good, which it
-//! is not: ρ > 1 there, or p does not decrease.
-//! It may stop for a moment (a start from rest at ρ > 1, a motion straight inwards).
+//! Such a particle goes away for ever. If it stayed within bounds, ρ² − p² would converge and the way ∫p dτ be finite, so the
+//! place would converge; there the pull would have to be balanced for good, which it is not: ρ > 1 there, or p does not decrease.
+//! It may stop for a moment.
 
 use super::{
     intrinsic::{Exact, Law, Start, check},
@@ -100,8 +99,8 @@ pub struct Speeds {
 }
 
 impl<T: Width> Rest<T> {
-    /// How closely σ and τ are known if so much is `lost` on the way: it grows on the last of it, the more the closer to
-    /// the border. A start, too, is rounded. Away from the brink an eighth is lost, as measured.
+    /// It grows on the last of the way, the more the closer to the border. A start, too, is rounded. Away from the brink an
+    /// eighth is lost, as measured.
     pub fn errors(&self, lost: f64, Speeds { most, entry }: Speeds) -> [f64; 2] {
         let (tau, gap) = (self.tau.to_f64(), self.gap.to_f64());
         if tau == 0.0 {
@@ -137,13 +136,13 @@ pub type Followed<T> = (Ending<T>, Speeds);
 /// Steps after which a fate is undecided: ten times as many as any of 200,000 random starts took.
 pub const STEPS: usize = 2_000;
 
-/// Terms of the series: the fastest number for steps that need no dense output.
+/// The fastest number for steps that need no dense output.
 const ORDER: usize = 24;
 
-/// Closer to the axis than this, a place need not be known better.
+/// A place closer to the axis need not be known better.
 const NOWHERE: f64 = 1e-30;
 
-/// What the steps and the rounding of the start may cost, in units of the spacing of the numbers.
+/// In units of the spacing of the numbers, with the rounding of the start.
 const LOST: f64 = 64.0;
 
 /// The fate of a particle: for 1 − σ above 10⁻³, σ to 10⁻¹² and τ to 10⁻⁹; closer to the border the answer says what is
@@ -204,8 +203,7 @@ impl<T: Width> Ending<T> {
     }
 }
 
-/// Follows a motion, by series of `N` terms, until its fate is certain, and a rest until its place and time are `closely`
-/// known.
+/// By series of `N` terms, until the fate is certain, and place and time of a rest are `closely` known.
 pub fn follow<T: Width, const N: usize>(
     start: &Exact<T>,
     closely: bool,
@@ -263,7 +261,7 @@ fn follow_slowly<T: Width, const N: usize>(
     }
 }
 
-/// The fate, if the state makes it certain, and whether place and time of a rest are known as well as wanted.
+/// If certain, and whether place and time of a rest are known as well as wanted.
 pub fn judge<T: Width>(&[tau, p, w, zeta]: &[T; 4]) -> Option<(Certain<T>, bool)> {
     let [zero, half, one, two] = [0.0, 0.5, 1.0, 2.0].map(T::from_f64);
     let (xi, eta) = (one - w, p - zeta);
@@ -321,7 +319,7 @@ pub fn judge<T: Width>(&[tau, p, w, zeta]: &[T; 4]) -> Option<(Certain<T>, bool)
     let most = way(room).max(least);
     // The deceleration is between w and room − most.
     let (soonest, latest) = (p / w, p / (room - most));
-    // The resting place is not farther from this one than the way, and σ² is between bounds.
+    // Not farther from here than the way, and σ² is between bounds.
     let (sigma, gap) = place(half * (least + most));
     let error = most.min((most - least) / (rho + sigma).max(most)).to_f64();
     let close = error <= T::CLOSE * sigma.to_f64().max(NOWHERE)
@@ -376,7 +374,6 @@ mod tests {
             assert!((tau - time).abs() < 4e-15, "{tau} {time}");
             let half = (most - least) / (rho + sigma);
             assert!((error - half).abs() < 1e-15, "{error} {half}");
-            // And the resting place is within the bounds.
             let Fate::Rest { sigma: exact, .. } = fate(&Start { p, xi, zeta }).unwrap() else {
                 panic!("{xi} {zeta}")
             };
@@ -412,7 +409,6 @@ mod tests {
             _ => None,
         };
         assert_eq!(because([0.0, 0.3, 0.2, -0.3]), Some(Escaping::Ahead));
-        // Not yet ahead: ζ > −p, or slower than w.
         assert_eq!(because([0.0, 0.3, 0.2, -0.29]), None);
         assert_eq!(because([0.0, 0.19, 0.2, -0.3]), None);
         assert_eq!(because([0.0, 0.3, 0.0, -0.3]), Some(Escaping::Outward));

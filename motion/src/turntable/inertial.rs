@@ -24,14 +24,13 @@ use crate::onset::onset;
 /// Steps that a motion may take before it is given up.
 pub const STEPS: usize = 200_000;
 
-/// Below this part of the first speeds, the velocity relative to the table, being a difference, loses its digits:
-/// from there on the place counts as fixed in the last moments before a stop, which is true to the square of this number.
+/// As a part of the first speeds, below which the velocity relative to the table, a difference, loses its digits: from there on
+/// the place counts as fixed until the stop, which is true to the square of this number.
 const STOP: f64 = 1e-8;
 
-/// Below this part of them the particle counts as stopped where friction does not hold it.
+/// Below this part the particle counts as stopped where friction does not hold it.
 const TURN: f64 = 1e-13;
 
-/// The right-hand side, apart from the one in the table's frame.
 struct Laboratory {
     omega: f64,
     friction: f64,
@@ -158,10 +157,9 @@ pub fn run(table: &Table, start: &State, until: f64) -> Result<Path, MotionError
     }
 }
 
-/// How long so slow a particle still moves, by the friction and the centrifugal force along the velocity and in all.
+/// By the friction, and the centrifugal force along the velocity and in all.
 fn left(speed: f64, friction: f64, pull: f64, far: f64) -> f64 {
-    // The velocity still turns towards the pull. With p′ = far cos ψ − μg and p ψ′ = −far sin ψ, p (μg + far cos ψ) falls
-    // steadily, at the rate (μg)² − far².
+    // With p′ = far cos ψ − μg and p ψ′ = −far sin ψ, p (μg + far cos ψ) falls steadily, at the rate (μg)² − far².
     if friction > far {
         speed * (friction + pull) / ((friction - far) * (friction + far))
     } else {
@@ -169,8 +167,8 @@ fn left(speed: f64, friction: f64, pull: f64, far: f64) -> f64 {
     }
 }
 
-/// The first moments of a particle that rides with the table at `place` (in the laboratory), where friction does
-/// not hold it: for how long, and the coefficients of X, Y, V_x, V_y.
+/// Of a particle that rides with the table at `place` (in the laboratory), where friction does not hold it: for how long, and the
+/// coefficients of X, Y, V_x, V_y.
 ///
 /// From V = w + Ω ẑ×X follows dw/dt = −Ω ẑ×V − μg w/|w|.
 fn first_moments(
@@ -201,8 +199,7 @@ fn first_moments(
 mod tests {
     use super::*;
 
-    /// Straight along the force, p′ = far − μg; across it, by p (μg + far cos ψ) = μg p at first; beyond the friction's reach only
-    /// against the force.
+    /// Straight along the force, p′ = far − μg; across it, p (μg + far cos ψ) = μg p at first.
     #[test]
     fn the_last_of_the_speed_takes_its_time() {
         assert_eq!(left(0.5, 2.0, 1.0, 1.0), 0.5);

@@ -32,17 +32,15 @@ use crate::numerics::{
 pub struct Start {
     /// Speed p relative to the table, in units of μg/Ω.
     pub p: f64,
-    /// ξ = ρ·v̂, in units of μg/Ω². At p = 0, where v̂ is not defined, the distance from the axis: a particle that
-    /// starts from rest does so straight away from it.
+    /// ξ = ρ·v̂, in units of μg/Ω². At p = 0 the distance from the axis: a particle starts from rest straight away from it.
     pub xi: f64,
-    /// ζ = p − ρ·(ẑ×v̂): component along v̂ of the velocity in the laboratory, in units of μg/Ω.
+    /// p − ρ·(ẑ×v̂): component along v̂ of the velocity in the laboratory, in units of μg/Ω.
     pub zeta: f64,
 }
 
-/// Lengths and speeds of a start must not exceed this number: high powers of them have to be numbers.
+/// Of lengths and speeds: high powers have to be numbers.
 pub const LARGEST: f64 = 1e9;
 
-/// A length or speed in its range.
 fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
     let allowed = (0.0..=LARGEST).contains(&value);
     argument(name, value, allowed, "between 0 and 1e9")
@@ -144,7 +142,7 @@ impl Start {
         libm::hypot(self.xi, self.p - self.zeta)
     }
 
-    /// ρ² − p², without cancellation late in an escape. It never decreases: its derivative is 2(ξp − p(ξ − 1)) = 2p.
+    /// ρ² − p², without cancellation late in an escape. Its derivative is 2(ξp − p(ξ − 1)) = 2p.
     pub fn energy(&self) -> f64 {
         self.xi * self.xi + self.zeta * (self.zeta - 2.0 * self.p)
     }
@@ -170,7 +168,6 @@ impl<T: Real> From<&Start> for Exact<T> {
 }
 
 impl<T> Exact<T> {
-    /// The same in other numbers.
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Exact<U> {
         let [p, deficit, zeta] = [self.p, self.deficit, self.zeta].map(f);
         Exact { p, deficit, zeta }
@@ -240,7 +237,6 @@ pub fn rates([p, w, zeta]: [f64; 3]) -> [f64; 3] {
     [speed, deficit, forward]
 }
 
-/// The law of motion with components τ, p, w, ζ.
 pub(super) struct Law;
 
 impl<T: Number, const N: usize> System<T, 4, N> for Law {
@@ -254,7 +250,6 @@ impl<T: Number, const N: usize> System<T, 4, N> for Law {
     }
 }
 
-/// The law of motion with components τ, p, w, ζ, χ, arc length.
 pub(super) struct Tracked;
 
 impl<T: Number, const N: usize> System<T, 6, N> for Tracked {
@@ -278,9 +273,9 @@ pub struct Intrinsic {
     pub tau: f64,
     /// The state by components.
     pub parts: Start,
-    /// By how much friction outweighs the pull of the centrifugal force, w = 1 − ξ, without cancellation.
+    /// w = 1 − ξ, friction less the centrifugal pull, without cancellation.
     pub deficit: f64,
-    /// Direction χ of the velocity minus that at the start, in radians, counted through all turns.
+    /// χ minus that at the start, in radians, counted through all turns.
     pub turned: f64,
     /// Arc length s on the table since the start.
     pub s: f64,
@@ -334,7 +329,7 @@ impl Intrinsic {
     }
 }
 
-/// Speed at which a run counts as ended: the time and the way that are left are far below any rounding.
+/// The time and the way that are left are far below any rounding.
 const STOP: f64 = 1e-30;
 
 /// A run in these components, from τ = 0.
@@ -375,14 +370,12 @@ impl Run {
         Intrinsic::new(*self.slide.end())
     }
 
-    /// The states at the ends of the integrator's steps, in order. Near rest, where τ hardly changes, they are the
-    /// ones to use.
+    /// At the ends of the integrator's steps. Near rest, where τ hardly changes, they are the ones to use.
     pub fn nodes(&self) -> impl Iterator<Item = Intrinsic> + '_ {
         self.slide.nodes().map(Intrinsic::new)
     }
 }
 
-/// Checks a start that may have been put together by hand.
 pub(super) fn check(start: &Start) -> Result<(), MotionError> {
     size("p", start.p)?;
     for (name, value) in [("xi", start.xi), ("zeta", start.zeta)] {

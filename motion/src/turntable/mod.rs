@@ -1,13 +1,11 @@
 //! A particle on a rough turntable that turns at a steady rate about a vertical axis (section 4 of the paper).
 //!
-//! Newton's law with Coulomb friction, three times over: in axes that turn with the table ([`rotating`]), in axes
-//! at rest in the laboratory ([`inertial`]), and in components along and across the velocity ([`intrinsic`]). The
-//! last are regular where the particle comes to rest, so that they tell quickly and reliably whether it does
-//! ([`mod@fate`]), where the boundary lies ([`mod@boundary`]), and what an escape is like much later. Where friction
-//! hardly outweighs the pull, the last approach to rest has equations of its own (`slow`).
+//! Newton's law with Coulomb friction, three times over: in axes that turn with the table ([`rotating`]), in axes at rest in the
+//! laboratory ([`inertial`]), and in components along and across the velocity ([`intrinsic`]), which tell whether the particle
+//! comes to rest ([`mod@fate`]) and where the boundary lies ([`mod@boundary`]).
 //!
-//! Before all three stands the law of static friction: a particle at rest on the table at the distance r from the
-//! axis stays there if Ω²r ≤ μg. If Ω²r > μg it starts at once, straight away from the axis.
+//! A particle at rest on the table at the distance r from the axis stays there if Ω²r ≤ μg. If Ω²r > μg it starts at once,
+//! straight away from the axis.
 
 pub mod boundary;
 pub mod ensemble;
@@ -26,7 +24,7 @@ pub use fate::{Escaping, Fate, fate};
 pub use intrinsic::{Intrinsic, Start};
 pub use path::Path;
 
-/// Where a particle is and how it moves, in one of the two frames. Both have their origin on the axis and coincide at t = 0.
+/// In one of the two frames, whose origins are on the axis, and which coincide at t = 0.
 pub use super::State;
 
 #[cfg(all(test, feature = "trials"))]
@@ -57,7 +55,6 @@ impl Default for Table {
     }
 }
 
-/// `vector` turned counterclockwise by the given angle.
 fn turned(vector: [f64; 2], angle: f64) -> [f64; 2] {
     let (s, c) = libm::sincos(angle);
     [c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]]
@@ -84,7 +81,7 @@ impl Table {
         self.mu * self.g
     }
 
-    /// The unit of length μg/Ω² in which the dimensionless table has its own, infinite for Ω = 0.
+    /// μg/Ω², infinite for Ω = 0.
     pub fn length(&self) -> f64 {
         self.friction() / (self.omega * self.omega)
     }
@@ -94,8 +91,7 @@ impl Table {
         self.omega * self.omega * radius <= self.friction()
     }
 
-    /// Kinetic energy relative to the table and potential energy of the centrifugal force, ½m(v² − Ω²r²), for a
-    /// state in the table's frame.
+    /// ½m(v² − Ω²r²), kinetic and of the centrifugal force, for a state in the table's frame.
     pub fn energy(&self, state: &State) -> f64 {
         let (p, r) = (state.speed(), self.omega * state.radius());
         0.5 * self.mass * (p - r) * (p + r)
@@ -126,16 +122,14 @@ impl Table {
     }
 }
 
-/// Largest size of what is given: products of several are still numbers.
+/// Products of several are still numbers.
 const LARGEST: f64 = 1e50;
 
-/// A number of either sign in its range.
 fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
     let range = "finite, at most 1e50 in absolute value";
     argument(name, value, value.abs() <= LARGEST, range)
 }
 
-/// Checks a start and the time up to which it is to be followed.
 fn check_start(start: &State, until: f64) -> Result<(), MotionError> {
     let parts = [
         ("t", start.t),

@@ -1,6 +1,4 @@
 //! The state at a time, in numbers of any width and as close to rest as they can say.
-//!
-//! The equations are those of [`intrinsic`](super::intrinsic), near rest at ρ = 1 slower ones.
 
 use super::{
     intrinsic::{Exact, Tracked},
@@ -23,12 +21,11 @@ pub struct Moment<T> {
     pub eta: T,
     /// By how much the velocity has turned since the start.
     pub turned: T,
-    /// Whether the motion was, or is, so close to rest at ρ = 1 that the slow equations were used.
+    /// So close to rest at ρ = 1 that the slow equations were used.
     pub slow: bool,
 }
 
 impl<T> Moment<T> {
-    /// The same in other numbers.
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Moment<U> {
         let [p, xi, eta, turned] = [self.p, self.xi, self.eta, self.turned].map(f);
         Moment {
@@ -41,10 +38,9 @@ impl<T> Moment<T> {
     }
 }
 
-/// Steps after which a motion is given up.
 const STEPS: usize = 200_000;
 
-/// A particle that starts from rest at ρ > 1 is followed from where its speed is this part of what drives it.
+/// From rest at ρ > 1 a particle is followed from where its speed is this part of what drives it.
 const ONSET: f64 = 1e-20;
 
 /// The state at the time `until`, by series of `N` terms. A particle that starts from rest at ρ > 1 starts straight
@@ -108,7 +104,7 @@ pub fn moment<T: Width, const N: usize>(
                     slow: slowly,
                 });
             }
-            // The place is known, though the direction of a velocity that is gone may go on turning.
+            // The direction of a velocity that is gone may go on turning.
             Leg::Rests([_, _, w, zeta, turned, _]) => {
                 return Ok(Moment {
                     p: zero,
@@ -122,7 +118,7 @@ pub fn moment<T: Width, const N: usize>(
     }
 }
 
-/// A particle at rest, in the direction of whose velocity friction outweighs the pull by `w`.
+/// Friction outweighs the pull by `w` in the direction of its velocity.
 fn still<T: Width>(w: T) -> Moment<T> {
     let [zero, one] = [0.0, 1.0].map(T::from_f64);
     Moment {
@@ -134,7 +130,7 @@ fn still<T: Width>(w: T) -> Moment<T> {
     }
 }
 
-/// Where a stretch of the motion ended: where its equations do, at the time wanted, or at rest.
+/// Where its equations end, at the time wanted, or at rest.
 enum Leg<T, const D: usize> {
     Left([T; D]),
     There([T; D]),
@@ -177,7 +173,7 @@ fn go<T: Width, S: System<T, D, N>, const D: usize, const N: usize>(
     }
 }
 
-/// The distance within a step after which its clock has gone on by `left`.
+/// Within a step: its clock has gone on by `left` there.
 fn when<T: Width, const N: usize>(clock: &[T; N], left: T, h: f64) -> T {
     let rough = clock.map(T::to_f64);
     let mut at = T::from_f64(arrival(&rough, left.to_f64(), h));
@@ -197,8 +193,7 @@ mod tests {
     use crate::numerics::{double::Double, number::Real};
     use crate::turntable::Start;
 
-    /// From rest at ρ it is driven by ρ − 1 at first: dp/dτ = ρ − 1, straight away from the axis. Before and behind the moment
-    /// from which it is followed step by step.
+    /// dp/dτ = ρ − 1 at first; before and behind the moment from which it is followed step by step.
     #[test]
     fn out_of_rest_the_speed_grows_from_the_first_moment() {
         for rho in [1.5, 3.0] {
@@ -215,7 +210,7 @@ mod tests {
         assert_eq!((still.p, still.xi), (0.0, 1.0));
     }
 
-    /// It hovers near rest at ρ = 1, by the slow equations, and goes; numbers of twice the width leave them sooner.
+    /// Near rest at ρ = 1, by the slow equations; numbers of twice the width leave them sooner.
     #[test]
     fn a_motion_that_has_hovered_goes_as_in_wider_numbers() {
         for (rho, p) in [(0.9999, 1.1e-4), (0.9995, 5.5e-4), (0.999, 1.2e-3)] {

@@ -7,20 +7,24 @@ use crate::error::MotionError;
 use crate::track::{Part, Track};
 use crate::trajectory::{Phase, PhaseKind};
 
-/// How the particle moves for a while.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Leg {
     /// Sliding; components t, x, y, v_x, v_y.
     Slide(Clocked<5>),
-    /// The first moments after a start from rest: coefficients of x, y, v_x, v_y in powers of t − from.
+    /// Coefficients of x, y, v_x, v_y in powers of t − from.
     Onset {
         from: f64,
         series: Box<[Coefficients; 4]>,
     },
-    /// The last moments before a stop, at a steady deceleration relative to the table; a state in its frame.
-    Stopping { state: State, to: f64 },
-    /// At rest on the table at the given place.
-    Rest { from: f64, place: [f64; 2] },
+    /// At a steady deceleration relative to the table; a state in its frame.
+    Stopping {
+        state: State,
+        to: f64,
+    },
+    Rest {
+        from: f64,
+        place: [f64; 2],
+    },
 }
 
 impl Leg {
@@ -36,12 +40,9 @@ impl Leg {
     }
 }
 
-/// The frame to which states belong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Frame {
-    /// Axes that turn with the table.
     Table,
-    /// Axes at rest in the laboratory.
     Laboratory,
 }
 
@@ -195,7 +196,6 @@ impl Path {
         })
     }
 
-    /// A state relative to the table, in the frame of this path.
     fn seen(&self, state: State) -> State {
         match self.frame {
             Frame::Table => state,

@@ -23,11 +23,10 @@ use crate::onset::onset;
 /// Steps that a motion may take before it is given up.
 pub const STEPS: usize = 200_000;
 
-/// Speeds below this part of the first one are a stop.
 const STOP: f64 = 1e-18;
 
 impl System<f64, 5, TERMS> for Table {
-    /// Speed squared, speed (or 1), the two components of the acceleration without friction.
+    /// Speed squared, speed (or 1), the acceleration without friction.
     type Work = [[f64; TERMS]; 4];
 
     fn begin(&self, _: &f64, _: &[f64; 5], _: &mut Self::Work) {}
@@ -122,7 +121,6 @@ pub fn run_held(
         if t >= until {
             return Ok(path);
         }
-        // What is left of the way is below any rounding.
         state = State {
             t,
             x: [x, y],
@@ -135,8 +133,7 @@ pub fn run_held(
     }
 }
 
-/// The first moments of a particle at rest at `place`, where friction does not hold it: for how long, and the
-/// coefficients of x, y, v_x, v_y.
+/// Of a particle at rest at `place`, where friction does not hold it: for how long, and the coefficients of x, y, v_x, v_y.
 fn first_moments(
     table: &Table,
     place: [f64; 2],

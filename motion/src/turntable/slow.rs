@@ -9,9 +9,9 @@
 //! G = 1 + 2wG + P G² ∂G/∂w + 2Pw ∂G/∂P,
 //! ```
 //!
-//! which gives the coefficients of G in powers of w and P one after the other, whole numbers all of them. They grow
-//! like factorials, so that the series serves only close to rest, but there it serves well: with |w| and p below
-//! [`Width::TUBE`], terms up to [`WEIGHT`] (p and w count 1, P counts 2) leave out less than the numbers can show.
+//! which gives the coefficients of G in powers of w and P one after the other, whole numbers all of them. They grow like
+//! factorials, so that the series serves only close to rest: with |w| and p below [`Width::TUBE`], terms up to [`WEIGHT`] (p and
+//! w count 1, P counts 2) leave out less than the numbers can show.
 //!
 //! What is left are two slow equations whose series have steps as long as their own time scale: the motion that takes
 //! 10¹² steps of ζ is over in a hundred.
@@ -31,10 +31,10 @@ const POWERS: usize = WEIGHT / 2 + 1;
 
 /// A width of numbers, and how close to rest it needs the slow equations.
 pub trait Width: Real {
-    /// So small have p and |w| to be: the first term left out, some 10²¹ times the twentieth power of this, and what
-    /// follows is below the spacing of the numbers.
+    /// The first term left out, some 10²¹ times the twentieth power of this, and what follows is below the spacing of the
+    /// numbers.
     const TUBE: f64;
-    /// How close the bounds of a place and a time of rest have to be.
+    /// For a place and a time of rest.
     const CLOSE: f64;
 }
 
@@ -48,13 +48,13 @@ impl Width for Double {
     const CLOSE: f64 = 1e-26;
 }
 
-/// What is below this part of a rounding is left out of G.
+/// As a part of a rounding, for terms of G.
 const UNSEEN: f64 = 1e-3;
 
-/// The slow equations hold when ζ is what they say to so many roundings.
+/// In roundings, of ζ.
 const REACHED: f64 = 16.0;
 
-/// Coefficients of wⁱPʲ in G, by j and i.
+/// Of wⁱPʲ, by j and i.
 static COEFFICIENTS: LazyLock<[[i128; WEIGHT + 1]; POWERS]> = LazyLock::new(|| {
     let mut g = [[0; WEIGHT + 1]; POWERS];
     let mut square = g;
@@ -86,11 +86,11 @@ static COEFFICIENTS: LazyLock<[[i128; WEIGHT + 1]; POWERS]> = LazyLock::new(|| {
     g
 });
 
-/// The slow equations, of τ, p, w, χ and the arc length. They run in a time of their own, s times the size of p and w at
-/// the beginning of a step, so that no coefficient leaves the range of the numbers.
+/// Of τ, p, w, χ and the arc length, in a time of their own, s times the size of p and w at the beginning of a step, so that no
+/// coefficient leaves the range of the numbers.
 pub(super) struct Slow<T> {
     coefficients: Vec<Vec<T>>,
-    /// Sums of the coefficients of each weight.
+    /// Of the coefficients of each weight.
     sizes: [f64; WEIGHT + 1],
 }
 
@@ -126,7 +126,7 @@ impl<T: Width> Slow<T> {
         -(p * sum)
     }
 
-    /// Whether these equations serve in this state. Where p grows, they have to last for a step.
+    /// Where p grows, they have to last for a step.
     pub(super) fn serves(&self, p: T, w: T, zeta: T) -> bool {
         let size = if w.to_f64() < 0.0 {
             T::TUBE / 8.0
@@ -139,7 +139,8 @@ impl<T: Width> Slow<T> {
     }
 }
 
-/// Of a step: ds by the time of the equations, the largest weight that shows, and the series of P, powers of w from the second on, the stages of Horner's rule for G by the power of P, and G².
+/// ds by the time of the equations, the largest weight that shows, and the series of P, powers of w from the second on, the
+/// stages of Horner's rule for G by the power of P, and G².
 pub(super) struct Work<T> {
     pace: T,
     weight: usize,

@@ -6,7 +6,7 @@ use super::*;
 use crate::numerics::taylor::{System, TERMS};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Largest difference of two states, relative to their size where that is above 1.
+/// Relative to their size where that is above 1.
 fn apart(a: &State, b: &State) -> f64 {
     let size = 1f64.max(a.radius()).max(a.speed());
     let differences = [0, 1].map(|i| (a.x[i] - b.x[i]).abs().max((a.v[i] - b.v[i]).abs()));
@@ -28,13 +28,11 @@ fn the_boundary_parts_rest_from_escape() {
         let a = boundary(alpha, psi).unwrap();
         let near = |a: f64| fate(&Start::hyperbolic(a, alpha, psi).unwrap()).unwrap();
         for i in 0..200 {
-            // Ever closer from both sides.
             let away = 0.2 * libm::pow(0.9, f64::from(i)) + 2e-12;
             assert!(matches!(near(a - away), Fate::Rest { .. }), "{a} {away}");
             assert!(matches!(near(a + away), Fate::Escape { .. }), "{a} {away}");
         }
     }
-    // By the inertial frame: the particle put down in the laboratory and the one launched from the axis.
     let table = Table::default();
     let rests = |state: State| {
         inertial::run(&table, &state, 200.0)
@@ -216,7 +214,6 @@ fn the_last_moments_before_a_rest_are_steadily_braked() {
 
 #[test]
 fn the_first_moments_are_those_in_the_laboratory() {
-    // At another angular velocity than 1, in a general direction, and not from the time 0 on.
     let table = Table {
         omega: -1.7,
         mu: 0.4,
@@ -266,7 +263,7 @@ fn without_friction_the_time_is_that_of_the_integration() {
     assert_eq!(rates, [1.0, 0.0, 0.0]);
 }
 
-/// μg = 1 and μ_s g = 5/4, Ω = 1: at rest at 6/5 a particle stays, where kinetic friction alone lets it go, and at 13/10 it sets out.
+/// μg = 1 and μ_s g = 5/4, Ω = 1: at rest at 6/5 a particle stays, at 13/10 it sets out.
 #[test]
 fn static_friction_holds_farther_out() {
     let table = Table::default();

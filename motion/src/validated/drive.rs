@@ -1,13 +1,12 @@
 //! Numbers of the sinusoidal drive, from its arcs alone.
 //!
-//! While a particle slides forward under the friction λ₀, its velocity is, by Newton's law, ∫ (sin φ − λ₀) dφ. After
-//! a rest, which ends at φ₁ with sin φ₁ = λ₀, that is w(φ) = cos φ₁ − cos φ − λ₀ (φ − φ₁). Everything here is a zero
-//! of such an arc. Friction backwards is q times as large. Frictions and phases are dimensionless.
+//! A forward slip after a rest, which ends at φ₁ with sin φ₁ = λ₀, has by Newton's law the velocity w(φ) = cos φ₁ − cos φ − λ₀ (φ
+//! − φ₁). Everything here is a zero of such an arc. Friction backwards is q times as large.
 
 use crate::scalar::Scalar;
 use trialbook::certified::{ball::Ball, error::CertifiedError, interval::Interval, root::refine};
 
-/// Bits beyond those asked for that what follows a root may cost.
+/// For what follows a root, beyond the bits asked for.
 const SPARE: usize = 16;
 
 /// w at `to` after a rest that ended at `from`, for any kind of number; `lambda` is the friction sin `from`.

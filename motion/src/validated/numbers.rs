@@ -23,7 +23,7 @@ pub const SLIP_END_3_5: Enclosure = Enclosure(|bits| slip_end_at(3, 5, 3.523, bi
 /// Where the forward slip ends at λ₀ = 9/10.
 pub const SLIP_END_9_10: Enclosure = Enclosure(|bits| slip_end_at(9, 10, 2.482, bits));
 
-/// The length of the forward motion at Y, the root of tan x = x between π and 3π/2.
+/// The root of tan x = x between π and 3π/2: the forward motion at Y.
 pub const X_Y: Enclosure = Enclosure(drive::touching_length);
 
 /// The q of Y.
@@ -32,7 +32,7 @@ pub const Q_Y: Enclosure = Enclosure(|bits| drive::y(bits).map(|[q, _]| q));
 /// The λ₀ of Y.
 pub const LAMBDA_Y: Enclosure = Enclosure(|bits| drive::y(bits).map(|[_, lambda]| lambda));
 
-/// How closely B and E touch C at Y: their distance over (q − q_Y)².
+/// B and E to C at Y: their distance over (q − q_Y)².
 pub const CONTACT: Enclosure = Enclosure(drive::contact);
 
 /// Curve A at q = 2.
@@ -56,7 +56,6 @@ pub const E_6: Enclosure = Enclosure(|bits| reversals_end(Edge::End, 6, 1.358, b
 /// Curve E at q = 12.
 pub const E_12: Enclosure = Enclosure(|bits| reversals_end(Edge::End, 12, 0.846, bits));
 
-/// Curve B or E at a whole q.
 fn reversals_end(edge: Edge, q: i64, near: f64, bits: usize) -> Result<Ball, CertifiedError> {
     drive::reversals_end(edge, &Ball::int(q, bits + 32), near, bits)
 }

@@ -1,23 +1,11 @@
 //! Fates on the turntable, proved: a start comes to rest within certain radii, or goes away for ever.
 //!
-//! In the dimensionless units of the table let p be the speed, ξ the position along the velocity, w = 1 − ξ, and ζ
-//! the component along the velocity of the velocity in the laboratory, so that ρ² = ξ² + (p − ζ)². Newton's law in
-//! the time s with dτ = p ds is polynomial,
+//! With the speed p, the position ξ along the velocity, w = 1 − ξ, and the component ζ along the velocity of the velocity in the
+//! laboratory, ρ² = ξ² + (p − ζ)², and Newton's law in the time s with dτ = p ds is p′ = −p w, w′ = −ζ², ζ′ = −p − ζ + w ζ. p > 0
+//! stays so. A state decides its fate, as [`fate`](mod@crate::turntable::fate) proves, if
 //!
-//! p′ = −p w,  w′ = −ζ²,  ζ′ = −p − ζ + w ζ,
-//!
-//! and p > 0 stays so. A state decides its fate, once and for all, if
-//!
-//! - p + ρ < 1: rest. ρ grows by the way S gone since at most, ξ ≤ ρ, so that d(p²/2)/dS = ξ − 1 ≤ ρ₀ + S − 1, and
-//!   p is 0 at an S < 1 − ρ₀, inside ρ < 1, where static friction holds. The way is S ≤ p²/(r + √(r² − p²)) with
-//!   r = 1 − ρ, and, since ξ never falls, S ≥ p²/(2w). As (ρ² − p²)˙ = 2p, the radius is σ² = ρ² − p² + 2S.
-//! - ρ² − p² > 1: no rest, since it never falls, and is σ² ≤ 1 at rest.
-//! - w < 0: no rest, since p′ = −p w > 0, and w never rises.
-//! - ζ < −p, w < p: no rest. While w ≥ 0, (ζ + p)′ = −2pw ≤ 0 where ζ = −p, so that ζ ≤ −p stays; then (p² − w²)′ =
-//!   2w (ζ² − p²) ≥ 0 keeps p² above w² by a fixed amount, and w′ = −ζ² ≤ −p² makes w negative.
-//!
-//! Such a particle goes away for ever: within bounds ρ² − p² would converge, and with it the way and the
-//! place, where the pull would have to be balanced for good.
+//! - p + ρ < 1: rest, after a way S ≤ p²/(r + √(r² − p²)) with r = 1 − ρ, and S ≥ p²/(2w), at σ² = ρ² − p² + 2S;
+//! - ρ² − p² > 1, or w < 0, or ζ < −p and w < p: no rest.
 
 mod strip;
 
@@ -50,7 +38,7 @@ pub enum Fate {
 /// Steps after which the fate is not proved.
 const STEPS: usize = 2000;
 
-/// Law of motion of p, w, ζ and of their derivatives by the start.
+/// Of p, w, ζ and of their derivatives by the start.
 struct Law;
 
 impl<const N: usize> System<Interval, 3, N> for Law {
@@ -86,7 +74,7 @@ impl<const N: usize> System<Interval, 12, N> for Law {
             product(w, zeta, k) - p[k] - zeta[k],
         ]);
         for j in 0..3 {
-            // A column of derivatives by the start: of p, of w, of ζ.
+            // Derivatives by the start: of p, of w, of ζ.
             let [dp, dw, dzeta] = [3 + j, 6 + j, 9 + j].map(|i| &x[i]);
             let turn = product(zeta, dzeta, k);
             slope[3 + j] = -(product(dp, w, k) + product(p, dw, k));
@@ -126,11 +114,9 @@ pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
 /// # Errors
 /// As [`fate`].
 pub fn fate_launched(u: Interval, width: f64) -> Result<Fate, CertifiedError> {
-    // On the axis the table does not move.
     follow([u, Interval::int(1), u], width)
 }
 
-/// Follows all motions from a box of p, w and ζ until their fate is certain.
 fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
     let mut state = start;
     let (mut rest, mut h) = (None, 1.0);
@@ -139,7 +125,6 @@ fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
         match judge(&state) {
             Some(Judged::Escape) => return Ok(Fate::Escape { steps }),
             Some(Judged::Rest(sigma)) => {
-                // Every enclosure holds: the particle comes to rest in all of them.
                 let closer = rest.map_or(Some(sigma), |known| sigma.meet(known));
                 let sigma = closer.ok_or_else(|| unsettled(&state))?;
                 if sigma.width() <= width || rest == Some(sigma) {
@@ -168,7 +153,7 @@ enum Judged {
     Escape,
 }
 
-/// What all states of a box make certain; nothing unless p is positive.
+/// Nothing unless p is positive.
 fn judge(&[p, w, zeta]: &[Interval; 3]) -> Option<Judged> {
     if p.sign() != Some(1.0) {
         return None;
@@ -217,14 +202,12 @@ mod tests {
     #[test]
     fn what_is_not_certain_is_not_said() {
         let [alpha, psi] = [0.1, 0.2].map(Interval::point);
-        // So wide that starts on both sides of the boundary are in it.
         assert!(fate([Interval::new(0.8, 1.2), alpha, psi], 1e-6).is_err());
         assert!(fate([Interval::WHOLE, alpha, psi], 1e-6).is_err());
         // At rest from the beginning: nothing is said of p = 0.
         assert!(fate([0.5, 0.0, 0.2].map(Interval::point), 1e-6).is_err());
     }
 
-    /// The rates at a state of numbers.
     fn rates(state: [f64; 12]) -> [f64; 12] {
         let series: [[_; 1]; 12] = state.map(|x| [Interval::point(x)]);
         Law.derivative(0, &series, &mut ()).map(Interval::mid)
@@ -247,7 +230,7 @@ mod tests {
         ];
         let found = rates(state);
         for j in 0..3 {
-            // The law is of the second degree: its difference quotients are derivatives.
+            // The law is of the second degree: difference quotients are derivatives.
             let beside = |sign: f64| {
                 let mut state = state;
                 for i in 0..3 {
@@ -270,7 +253,7 @@ mod tests {
     #[test]
     fn each_sign_of_escape_is_enough() {
         let judged = |state: [f64; 3]| judge(&state.map(Interval::point));
-        // w < 0 alone; ρ² − p² > 1 alone; ζ < −p and w < p alone.
+        // Each sign alone: w < 0; ρ² − p² > 1; ζ < −p and w < p.
         for state in [[1.0, -0.1, 1.0], [0.1, 0.5, -1.0], [0.4, 0.3, -0.41]] {
             assert!(matches!(judged(state), Some(Judged::Escape)), "{state:?}");
         }

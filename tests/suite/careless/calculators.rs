@@ -8,10 +8,8 @@ use slipbook::explorers::{QUESTIONS, answer};
 use slipbook::solve::constant::At;
 use slipbook::solve::*;
 
-/// Questions of the boundary at a time.
 const MANY: usize = 32;
 
-/// All numbers of an answer are finite.
 fn sound<T: Fields>(answer: Result<Answer<T>, SolveError>) -> bool {
     let Ok(answer) = answer else { return true };
     let numbers = answer
@@ -26,7 +24,6 @@ fn sound<T: Fields>(answer: Result<Answer<T>, SolveError>) -> bool {
     finite(&all)
 }
 
-/// All points of a curve are finite.
 fn drawn(curve: Result<Curve, SolveError>) -> bool {
     curve.is_err() || curve.is_ok_and(|curve| finite(curve.points.as_flattened()))
 }
@@ -79,8 +76,7 @@ proptest! {
     }
 }
 
-/// By far the longest of all: many at a time, on all cores. Not by the macro, for which `PROPTEST_CASES` is the number
-/// of times, whatever is set here.
+/// The longest: on all cores, not by the macro, for which `PROPTEST_CASES` is the number of times.
 #[test]
 fn the_boundary_of_rest_has_numbers() {
     let times = config().cases.div_ceil(MANY as u32);

@@ -6,7 +6,6 @@ use slipbook::claims::{PAPER, formulas::formulas};
 use slipbook::scalar::Scalar;
 use trialbook::certified::{ball::Ball, interval::Interval};
 
-/// A pair of bounds in order, or the whole line.
 fn bounded(x: Interval) -> bool {
     x.lo() <= x.hi()
 }

@@ -1,5 +1,5 @@
-//! Whatever is given: the public functions that take numbers or text, with any numbers and any text. Each has to
-//! answer with an error or with finite numbers, after bounded work; none may panic.
+//! The public functions that take numbers or text, with any. Each has to answer with an error or with finite numbers, after
+//! bounded work; none may panic.
 //!
 //! `PROPTEST_CASES` sets how often each is asked.
 
@@ -21,7 +21,7 @@ fn config() -> ProptestConfig {
     let asked = ProptestConfig::default();
     ProptestConfig {
         cases: if set { asked.cases } else { 64 },
-        // Most of what is drawn is out of range for a start.
+        // Most is out of range for a start.
         max_local_rejects: u32::MAX,
         failure_persistence: None,
         ..asked
@@ -56,7 +56,7 @@ fn some(most: usize) -> impl Strategy<Value = Vec<f64>> {
     prop::collection::vec(any(), 0..=most)
 }
 
-/// So many numbers: each is [any], or all but one are of ordinary size, so that one alone is at fault.
+/// Each is [`any`], or all but one are of ordinary size, so that one alone is at fault.
 fn each<const N: usize>() -> impl Strategy<Value = [f64; N]> {
     let one = (prop::collection::vec(-4.0..4.0, N), 0..N, any());
     let mostly = one.prop_map(|(mut list, at, odd)| {
@@ -67,12 +67,11 @@ fn each<const N: usize>() -> impl Strategy<Value = [f64; N]> {
         .prop_map(|list| std::array::from_fn(|i| list[i]))
 }
 
-/// [`each`], or zeros: a body at rest, which does not come about by chance.
+/// [`each`], or zeros, which do not come about by chance.
 fn or_zeros<const N: usize>() -> impl Strategy<Value = [f64; N]> {
     prop_oneof![2 => each(), 1 => Just([0.0; N])]
 }
 
-/// A number from `low` to `high`, these included, by a part of the way.
 fn on_the_way(low: f64, high: f64, part: f64) -> f64 {
     (low + part * (high - low)).clamp(low, high)
 }
@@ -81,7 +80,7 @@ fn finite(numbers: &[f64]) -> bool {
     numbers.iter().all(|x| x.is_finite())
 }
 
-/// Functions of one variable with two parameters: smooth, with poles, kinks, jumps and no value at all.
+/// With two parameters: smooth, with poles, kinks, jumps and no value at all.
 const SHAPES: [fn(f64, f64, f64) -> f64; 8] = [
     |a, b, x| a * x + b,
     |a, b, x| a * x * x * x - b,

@@ -6,7 +6,6 @@ use slipbook::motion::{
     Acceleration, Launch, Motion, Plane, Signal, State, onset, run, run_to_stop,
 };
 
-/// Any signal, and sums and products of such.
 fn signal() -> impl Strategy<Value = Signal> {
     let alone = prop_oneof![
         some(4).prop_map(Signal::Polynomial),
@@ -27,7 +26,6 @@ fn signal() -> impl Strategy<Value = Signal> {
     })
 }
 
-/// A plane that accelerates by any two signals.
 pub fn plane() -> impl Strategy<Value = Plane> {
     prop_oneof![
         (signal(), signal()).prop_map(|(x, y)| Plane { x, y }),
@@ -42,7 +40,6 @@ fn numbers(state: State) -> bool {
     finite(&[state.t, state.v[0], state.v[1], state.x[0], state.x[1]])
 }
 
-/// All that a motion can be asked.
 fn sound(motion: &Motion, part: f64, direction: [f64; 2]) -> bool {
     let (start, end) = (motion.start(), motion.end());
     let at = motion.at(on_the_way(start.t, end.t, part));

@@ -8,7 +8,6 @@ use slipbook::motion::{
 };
 use slipbook::scene::{Scene, Second, WORDS, second};
 
-/// Words with texts that go.
 const GOOD: [(&str, &str); 28] = [
     ("mu", "0.2"),
     ("mu-s", "0.4"),
@@ -51,7 +50,6 @@ fn odd() -> impl Strategy<Value = String> {
     ]
 }
 
-/// A recording, with numbers of every kind or with ordinary ones.
 fn recording() -> impl Strategy<Value = String> {
     let rows = prop::collection::vec((any(), [-9.0..9.0, -0.1..0.1, 9.0..10.0]), 0..200);
     let table = (rows, prop::bool::ANY).prop_map(|(rows, wild)| {
@@ -78,7 +76,6 @@ proptest! {
         let all = std::iter::once(("mu", "0.3")).chain(all);
         let body = if ball { "ball" } else { "block" };
         let Ok((mut scene, until)) = Scene::read(body, all, |_| Ok(file.clone())) else { return Ok(()) };
-        // So that it is quick.
         scene.within = Second(scene.within.0.min(20.0));
         if let Ok(answer) = scene.answer(until) {
             let values: Vec<_> = answer.numbers.iter().map(|number| number.value).collect();

@@ -1,5 +1,5 @@
-//! What is read as text: the command line with its numbers and ranges, the number to be found, the record of verdicts,
-//! formulas that are put into words; and what is written, which has to be read back as it was.
+//! What is read as text: command line, numbers and ranges, the record of verdicts, formulas; and what is written, which has to be
+//! read back as it was.
 
 use super::config;
 use proptest::prelude::*;
@@ -13,7 +13,7 @@ use slipbook::ledger::Record;
 use trialbook::notation::{pieces, plain_formula, plain_words};
 use trialbook::plotting::Table;
 
-/// Any text, or one that is nearly a number, a range, a record or a formula.
+/// Any, or one that is nearly a number, a range, a record or a formula.
 pub(super) fn text() -> impl Strategy<Value = String> {
     prop_oneof![
         any::<String>(),
@@ -25,7 +25,6 @@ pub(super) fn text() -> impl Strategy<Value = String> {
     ]
 }
 
-/// A word of the command line: one of its own, or any.
 fn word() -> impl Strategy<Value = String> {
     let words = "verify show list errata find solve scene measure block ball ensemble exam completions constant sinusoidal pulse anisotropic sphere \
                  turntable turntable-boundary --out --json --csv --jobs --verdict --section --format --lambda --v0 --theta0 \
@@ -34,7 +33,6 @@ fn word() -> impl Strategy<Value = String> {
     prop_oneof![3 => prop::sample::select(words), 1 => text()]
 }
 
-/// The cells of a table as RFC 4180 has them.
 fn cells(table: &str) -> Vec<Vec<String>> {
     let mut rows = vec![vec![String::new()]];
     let (mut quoted, mut letters) = (false, table.chars().peekable());

@@ -10,7 +10,6 @@ use slipbook::motion::{
     },
 };
 
-/// Starts as the constructors make them, and by hand.
 fn start() -> impl Strategy<Value = Start> {
     prop_oneof![
         each().prop_filter_map("out of range", |[rho, p, psi]| Start::polar(rho, p, psi)

@@ -1,5 +1,4 @@
-//! The command as cases: lines as people type them, and beside them what they are answered, in `cases.txt` to the letter, in
-//! `held.txt` as numbers from elsewhere.
+//! The command as cases: lines and their answers, in `cases.txt` to the letter, in `held.txt` as numbers from elsewhere.
 
 use super::{json, text, words};
 use crate::slipbook;
@@ -9,7 +8,6 @@ use std::fs;
 
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/suite/command/cases.txt");
 
-/// The lines that are typed, and the remarks, each with what stands below it.
 fn cases(text: &str) -> Vec<(&str, String)> {
     let mut cases: Vec<(&str, String)> = Vec::new();
     for line in text.lines() {
@@ -21,8 +19,7 @@ fn cases(text: &str) -> Vec<(&str, String)> {
     cases
 }
 
-/// What a line is answered: the exit code if it is not 0, what is printed, as far as the line asks for it, and the first
-/// paragraph of what is said besides.
+/// The exit code if it is not 0, what is printed, and the first paragraph of what is said besides.
 fn answer(line: &str) -> String {
     let mut parts = line.split(" | ");
     let words = words(parts.next().unwrap());
@@ -81,7 +78,6 @@ fn every_line_has_its_answer() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Whether a field of an answer is what a row says: its name, a number or a word, a unit, and how far off it may be.
 fn is_held(answer: &Value, row: &str) -> bool {
     let (name, wanted) = row.split_once(' ').unwrap();
     let place = format!("/{}", name.replace('.', "/"));
@@ -139,7 +135,6 @@ fn every_number_is_that_of_another_source() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Enough of each kind is there, and answered rightly.
 #[test]
 fn every_question_is_answered_rightly() {
     let file: toml::Table = toml::from_str(&text!("book/questions.toml")).unwrap();
@@ -173,7 +168,6 @@ fn every_question_is_answered_rightly() {
     }
 }
 
-/// The sketch of the page on scenes is that of the help.
 #[test]
 fn the_sketch_on_the_page_is_that_of_the_help() {
     let page = text!("book/src/scenes.md");

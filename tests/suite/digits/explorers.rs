@@ -10,10 +10,10 @@ use slipbook::numerics::{
 };
 use std::f64::consts::{PI, TAU};
 
-/// Half a unit of the fourth digit after the point, with room for its rounding.
+/// With room for its rounding.
 const SHOWN: f64 = 1e-8;
 
-/// The slip of a sphere, u′ = sin φ x̂ − λ₀ u/|u|, with dφ = |u| ds; components φ, u_x, u_y, sin φ, cos φ.
+/// u′ = sin φ x̂ − λ₀ u/|u|, dφ = |u| ds; components φ, u_x, u_y, sin φ, cos φ.
 struct Slip(Double);
 
 impl System<Double, 5, TERMS> for Slip {
@@ -65,8 +65,7 @@ fn slips(lambda0: f64, slip: [f64; 2], until: f64) -> Option<Result<f64, f64>> {
     None
 }
 
-/// The times at which a slip along x ends or turns, from `phi` with u there, by the integral of sin φ ∓ λ₀; and the slip at
-/// the time `until`. Each stretch of rolling lasts until |sin φ| = λ₀.
+/// From `phi` with u there, by the integral of sin φ ∓ λ₀; and the slip at the time `until`. Rolling lasts until |sin φ| = λ₀.
 fn along(lambda0: f64, mut phi: f64, mut u: f64, until: f64) -> (Vec<[f64; 2]>, f64) {
     let mut rolls = Vec::new();
     loop {

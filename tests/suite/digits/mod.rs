@@ -20,10 +20,8 @@ mod vectors;
 
 use slipbook::numerics::double::Double;
 
-/// Terms of a Taylor series in numbers of 31 digits.
 const TERMS: usize = 44;
 
-/// Room for the series of `N` quantities that a law needs on its way.
 struct Room<const N: usize>([[Double; TERMS]; N]);
 
 impl<const N: usize> Default for Room<N> {
@@ -32,7 +30,6 @@ impl<const N: usize> Default for Room<N> {
     }
 }
 
-/// How many cases of a kind are tried.
 fn cases(usual: usize) -> usize {
     let wanted = std::env::var("SLIPBOOK_DIGITS").ok();
     wanted.map_or(usual, |n| n.parse().expect("SLIPBOOK_DIGITS is a number"))

@@ -5,7 +5,6 @@ use slipbook::claims::{PAPER, values::search};
 use slipbook::motion::turntable::{critical_radius, critical_speed};
 use std::collections::BTreeSet;
 
-/// All but the boundary of a case by hand and what is exact are in a table.
 #[test]
 fn every_known_number_has_its_digits() {
     let mut known = BTreeSet::from(["boundary", "kappa-solid"].map(str::to_owned));
@@ -52,7 +51,6 @@ fn critical_radius_and_speed_are_those_of_the_foreign_program() {
     assert_eq!(found, 2);
 }
 
-/// A number with one digit changed, or cut off, is graded as its forty digits say.
 #[test]
 fn the_first_wrong_digit_is_found() {
     let mut exact: Vec<(String, String)> = Vec::new();
@@ -69,7 +67,7 @@ fn the_first_wrong_digit_is_found() {
             .collect();
         let length = rng.usize(4..=places.len().min(10));
         let mut given: Vec<u8> = digits.as_bytes()[..=places[length - 1]].to_vec();
-        // A digit that is off by five: no rounding leads there.
+        // Off by five: no rounding leads there.
         let changed = rng.bool().then(|| rng.usize(3..length));
         if let Some(place) = changed {
             let digit = &mut given[places[place]];
@@ -88,7 +86,7 @@ fn the_first_wrong_digit_is_found() {
                 assert_eq!(found.first_wrong, Some(place + 1), "{id} {given}");
                 wrong += 1;
             }
-            // Another known number has more of these digits.
+            // Another has more of these digits.
             (Some(_), None) => assert!(!matches.is_empty(), "{id} {given}"),
             (None, None) => panic!("{id} {given}"),
         }

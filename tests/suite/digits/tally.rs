@@ -5,22 +5,18 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// No answer is said to have more digits, so that more do not count.
 const MOST: u32 = 15;
 
-/// The cases of a calculator by digits claimed and digits true.
 #[derive(Default)]
 pub struct Tally {
     counts: BTreeMap<(u32, u32), usize>,
 }
 
-/// The power of ten of the first digit.
 fn power(x: f64) -> i32 {
     let text = format!("{x:e}");
     text.split_once('e').unwrap().1.parse().unwrap()
 }
 
-/// True digits of a number that counts against `scale`.
 fn digits(found: f64, exact: f64, scale: f64) -> u32 {
     if found == exact {
         return MOST;
@@ -29,7 +25,7 @@ fn digits(found: f64, exact: f64, scale: f64) -> u32 {
     (-part.log10()).floor().clamp(0.0, f64::from(MOST)) as u32
 }
 
-/// Whether a number is off by more than one unit of the last of these digits; as written in decimals.
+/// By more than one unit of the last of these digits; as written in decimals.
 fn is_wrong(found: f64, exact: f64, scale: f64, claimed: u32) -> bool {
     let size = exact.abs().max(scale);
     let unit: f64 = format!("1e{}", power(size) - claimed as i32 + 1)
@@ -39,7 +35,7 @@ fn is_wrong(found: f64, exact: f64, scale: f64, claimed: u32) -> bool {
 }
 
 impl Tally {
-    /// A case of an answer; `exact` gives the values by the fields' names, `None` for one that there is not.
+    /// `exact` gives the values by the fields' names, `None` for one that there is not.
     #[track_caller]
     pub fn answer<T: Fields>(
         &mut self,
@@ -84,7 +80,7 @@ impl Tally {
         }
     }
 
-    /// A case of one number: as found, and as written to the digits claimed.
+    /// As found, and as written to the digits claimed.
     #[track_caller]
     pub fn number(&mut self, found: f64, (shown, claimed): (f64, u32), exact: f64, case: &str) {
         let wrong = exact.is_nan() || is_wrong(shown, exact, 0.0, claimed);
@@ -100,8 +96,7 @@ impl Tally {
         self.counts.values().sum()
     }
 
-    /// At most two digits fewer are claimed than are true, in nine cases of ten; and where all cases were tried, the
-    /// counts are the recorded ones: true if they are, or if not all were tried.
+    /// At most two digits too few, in nine cases of ten; where all cases were tried, the counts are the recorded ones.
     #[track_caller]
     #[must_use]
     pub fn closes(&self, kind: &str, all: bool) -> bool {
@@ -116,8 +111,7 @@ impl Tally {
         !all || self.is_recorded(kind)
     }
 
-    /// Whether as many cases as recorded came out in each way, but for one in a thousand: a last bit, which the functions of a
-    /// machine may round otherwise, makes a digit more or less known.
+    /// Up to one case in a thousand, as machines may round a last bit otherwise.
     fn is_recorded(&self, kind: &str) -> bool {
         let record = record();
         let rows = record.lines().filter_map(|line| {
@@ -157,7 +151,7 @@ fn folder() -> PathBuf {
     folder
 }
 
-/// The recorded counts: calculator, digits claimed, digits true, cases.
+/// Calculator, digits claimed, digits true, cases.
 pub fn record() -> String {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/digits.csv");
     fs::read_to_string(file).unwrap()
@@ -165,7 +159,7 @@ pub fn record() -> String {
 
 #[test]
 fn a_wrong_digit_is_seen_and_a_modest_claim_is_counted() {
-    // Value, right, claimed: one unit of the last digit is allowed.
+    // One unit of the last digit is allowed.
     for (found, exact, claimed, wrong) in [
         (5.1546, 5.15460131, 5, false),
         (5.1547, 5.15460131, 5, false),

@@ -1,5 +1,5 @@
-//! The turntable against an integration in numbers of 31 digits in the table's own axes: other variables and another law
-//! than those of the calculators, up to where its steps become too short.
+//! The turntable against an integration in numbers of 31 digits in the table's own axes: another law than the calculators', up to
+//! where its steps become too short.
 
 use super::{Room, TERMS, cases, tally::Tally};
 use slipbook::motion::turntable::{Fate, boundary, fate};
@@ -19,7 +19,6 @@ use std::f64::consts::PI;
 struct Table;
 
 impl System<Double, 5, TERMS> for Table {
-    /// |v|², |v| and the acceleration but for friction.
     type Work = Room<4>;
 
     fn begin(&self, _: &Double, _: &[Double; 5], _: &mut Room<4>) {}
@@ -47,7 +46,6 @@ fn size(x: Double, y: Double) -> f64 {
 
 type Follower = Integrator<'static, Table, Double, 5, TERMS>;
 
-/// The motion from ρ on the x axis.
 fn begin(rho: impl Into<Double>, p: impl Into<Double>, psi: f64) -> Follower {
     use slipbook::scalar::Scalar;
     let (rho, p, psi, zero) = (rho.into(), p.into(), Double::from(psi), Double::from(0.0));
@@ -60,15 +58,14 @@ fn begin(rho: impl Into<Double>, p: impl Into<Double>, psi: f64) -> Follower {
     )
 }
 
-/// Where the motion from ρ on the x axis stops, and when; or the state at the time `until`. Nothing where it takes too
-/// long.
+/// Where it stops, and when; or the state at the time `until`. Nothing where it takes too long.
 fn follow(rho: f64, p: f64, psi: f64, until: f64) -> Option<Result<[f64; 2], [f64; 4]>> {
     let mut integrator = begin(rho, p, psi);
     let mut step = Step::empty();
     for _ in 0..2000 {
         let &[t, x, y, u, v] = integrator.state();
         let speed = u.hypot(v);
-        // At a speed so low it does not matter how the deceleration changes on the rest of the way.
+        // So slow it does not matter how the deceleration changes.
         if speed.to_f64() < 1e-24 * p.min(1.0) {
             let pull = (x * u + y * v) / speed;
             let left = speed / (Double::from(1.0) - pull);
@@ -99,7 +96,7 @@ fn follow(rho: f64, p: f64, psi: f64, until: f64) -> Option<Result<[f64; 2], [f6
     None
 }
 
-/// When the motion from ρ on the x axis is first at the distance `far`; nothing where that takes too long.
+/// When it is first at the distance `far`; nothing where that takes too long.
 fn crosses(rho: f64, p: f64, psi: f64, far: f64) -> Option<f64> {
     let mut integrator = begin(rho, p, psi);
     let mut step = Step::empty();
@@ -128,7 +125,6 @@ fn crosses(rho: f64, p: f64, psi: f64, far: f64) -> Option<f64> {
     None
 }
 
-/// Starts over the whole domain and on purpose at its edges.
 fn start(rng: &mut fastrand::Rng) -> [f64; 3] {
     let small = |rng: &mut fastrand::Rng, most: f64| 10f64.powf(-most * rng.f64());
     let psi = match rng.u8(0..8) {
@@ -137,14 +133,12 @@ fn start(rng: &mut fastrand::Rng) -> [f64; 3] {
         _ => PI * (2.0 * rng.f64() - 1.0),
     };
     match rng.u8(0..8) {
-        // Anything.
         0..=3 => [1.3 * rng.f64(), 2.0 * rng.f64(), psi],
-        // Near rest, near ρ = 1, as far as this integration gets.
+        // As far as this integration gets.
         4 => {
             let gap = small(rng, 2.0);
             [1.0 - gap, gap * 3.0 * rng.f64(), psi]
         }
-        // Hardly any motion; close to the axis.
         5 => [rng.f64(), small(rng, 20.0), psi],
         6 => [small(rng, 9.0), rng.f64(), psi],
         // Close to the border, by some distance.
@@ -282,8 +276,8 @@ fn a_state_by_another_law_in_other_variables() {
     assert!(tally.closes("turntable: at a time", wanted >= 10_000));
 }
 
-/// The w at which the slow motion with this small p runs into p = w = 0, by the power series of p w w′ = ζ² and
-/// p w ζ′ = p + ζ − wζ with w = p + …, ζ = −p + ….
+/// Where the slow motion with this small p runs into p = w = 0, by the power series of p w w′ = ζ² and p w ζ′ = p + ζ − wζ with w
+/// = p + …, ζ = −p + ….
 fn border(p: Double) -> Double {
     let (mut w, mut zeta) = (
         vec![0.0.into(), 1.0.into()],
@@ -312,7 +306,7 @@ fn border(p: Double) -> Double {
     sum
 }
 
-/// Whether the motion from ρ on the x axis comes to rest: at last by the side of the border on which the slow motion lies.
+/// At last by the side of the border on which the slow motion lies.
 fn rests(rho: Double, p: Double, psi: f64) -> bool {
     let one = Double::from(1.0);
     let mut integrator = begin(rho, p, psi);
@@ -338,7 +332,6 @@ fn rests(rho: Double, p: Double, psi: f64) -> bool {
     }
 }
 
-/// The boundary has rest below and escape above, by the other law.
 #[test]
 fn the_boundary_has_rest_below_and_escape_above() {
     use slipbook::scalar::Scalar;
@@ -362,7 +355,6 @@ fn the_boundary_has_rest_below_and_escape_above() {
             .find(|off| rests(-off) && !rests(*off));
         let exact = off.map_or(f64::NAN, |off| a * (1.0 + off));
         solved.answer(&answer, |_| Some(format!("{exact:?}")), &case);
-        // It is promised to 10⁻¹³.
         let near = boundary(alpha, psi).unwrap();
         library.number(near, known(near, 1e-13), a, &case);
     }

@@ -8,7 +8,6 @@ use slipbook::solve::{
 use std::fs;
 use std::path::Path;
 
-/// A row of a table by the names in its head.
 pub struct Row<'a> {
     head: &'a [&'a str],
     cells: Vec<&'a str>,
@@ -37,7 +36,6 @@ impl Row<'_> {
     }
 }
 
-/// Rows of a table, at most so many of them, spread over all.
 pub fn rows(name: &str, most: usize, mut each: impl FnMut(&Row<'_>)) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/data/digits/{name}.csv"));
     let text = fs::read_to_string(file).unwrap();
@@ -53,7 +51,6 @@ pub fn rows(name: &str, most: usize, mut each: impl FnMut(&Row<'_>)) {
     }
 }
 
-/// The answers to the rows of a kind, put into a tally.
 fn try_all<T: Fields + Clone>(
     kind: &str,
     usual: usize,

@@ -12,7 +12,6 @@ use slipbook::ledger::Format;
 use slipbook::numerics::expression::expression;
 use trialbook::trials::by_hand::ByHand;
 
-/// The decimals that stand in a case, by its own expressions or by the names of values.
 fn by_hand(place: &str, case: &ByHand) -> Vec<f64> {
     let value = |said: &&'static str| match PAPER.value(said) {
         Some(value) => value.number().unwrap(),
@@ -21,7 +20,6 @@ fn by_hand(place: &str, case: &ByHand) -> Vec<f64> {
     case.decimals.iter().map(value).collect()
 }
 
-/// The number that an entry has as an expression.
 pub fn pencil(place: &str, said: &str) -> f64 {
     let number = expression(said, |digits| digits.parse().ok());
     number.unwrap_or_else(|why| panic!("the case by hand of {place}: {why}"))
@@ -34,7 +32,6 @@ fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
         let text = format!("{} {} {}", case.wrong, case.reason, case.case);
         (claim.id, text, by_hand(claim.id, case))
     });
-    // The letter takes its examples from the cases.
     let all = PAPER
         .cases()
         .flat_map(|(claim, case)| by_hand(claim.id, case));
@@ -84,7 +81,7 @@ fn the_arithmetic_of_the_cases_by_hand_is_right() {
         [case.reason.to_owned(), case.words().unwrap()].map(|text| (claim.id, text))
     });
     for (place, text) in cases.chain(letter) {
-        // A name that is given twice may mean the first or the last.
+        // A name given twice may mean the first or the last.
         let (mut given, mut first) = (Given::new(), Given::new());
         for formula in formulas_of(&text) {
             let last = found(&formula, &mut given);
@@ -98,7 +95,6 @@ fn the_arithmetic_of_the_cases_by_hand_is_right() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Where what is right has a value at what a case gives, the case shows it, and so does the letter if it has the case's number.
 #[test]
 fn what_is_right_is_worked_out_where_its_case_is() {
     let letter = LEDGER.letter(Format::Text).unwrap();
@@ -109,7 +105,6 @@ fn what_is_right_is_worked_out_where_its_case_is() {
         if words.contains(r"\to0") {
             continue;
         }
-        // A name that is given twice means the first.
         let mut first = Given::new();
         for formula in formulas_of(&words) {
             found(&formula, &mut given);
@@ -127,9 +122,8 @@ fn what_is_right_is_worked_out_where_its_case_is() {
                 .collect(),
         };
         for formula in formulas {
-            // What it says its names are is given, too.
             found(&formula, &mut given);
-            // A letter alone says nothing; what follows says what letters stand for.
+            // What follows says what letters stand for.
             if formula
                 .trim()
                 .trim_start_matches('\\')

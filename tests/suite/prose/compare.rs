@@ -3,25 +3,18 @@
 use slipbook::exact::{Binary, ExactError, Expr, Function, Node, Rational, Ring};
 use slipbook::numerics::double::Double;
 
-/// How two trees were found to be the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Same {
-    /// Their difference is zero in a ring.
     Proved,
-    /// They have the same values.
     Measured,
 }
 
-/// The fewest points at which both have values.
 const POINTS: usize = 20;
-/// The most points that are tried.
 const TRIED: u32 = 400;
-/// Relative, of numbers of twice the usual length. Both sides are short formulas of numbers of order one, each operation is
-/// right to 1e-31; the largest loss, by differences that happen to be small, is some thousand-fold. No slip of the pen is so small,
-/// nor can a formula be a little wrong on purpose.
+/// Relative. Each operation is right to 1e-31, on numbers of order one; the largest loss is some thousand-fold. No slip of the
+/// pen is so small.
 const TOLERANCE: f64 = 1e-27;
 
-/// How the trees are the same; if they are not, why.
 pub fn same(a: Expr, b: Expr) -> Result<Same, String> {
     if let Some(why) = differ(a, b) {
         return Err(why);
@@ -32,7 +25,6 @@ pub fn same(a: Expr, b: Expr) -> Result<Same, String> {
     })
 }
 
-/// Where the values of the trees differ; or that they have too few.
 pub fn differ(a: Expr, b: Expr) -> Option<String> {
     if a == b {
         return None;
@@ -55,8 +47,8 @@ pub fn differ(a: Expr, b: Expr) -> Option<String> {
     Some(format!("{a} and {b} have {compared} values"))
 }
 
-/// A symbol's value at a point: in the first half of them between 0.1 and 0.9, where the paper's ratios lie; then between
-/// −2 and 2, for what holds with the other sign or beyond 1.
+/// For half of the points between 0.1 and 0.9, where the paper's ratios lie; then between −2 and 2, for what holds with the other
+/// sign or beyond 1.
 fn coordinate(name: &str, point: u32) -> f64 {
     let seed = name.bytes().fold(u64::from(point), |seed, byte| {
         seed.wrapping_mul(0x0100_0000_01b3) ^ u64::from(byte)
@@ -69,8 +61,8 @@ fn coordinate(name: &str, point: u32) -> f64 {
     }
 }
 
-/// A ring in which each elementary function of something, and each power that is not whole, is a symbol of its own; the
-/// same one for arguments whose difference is zero. So what is zero there is zero, whatever else these functions obey.
+/// A ring in which each elementary function, and each power that is not whole, is a symbol; the same one for arguments whose
+/// difference is zero. So what is zero there is zero.
 #[derive(Default)]
 struct Atoms {
     ring: Ring,

@@ -33,7 +33,6 @@ fn late_s(x: &[Expr]) -> Vec<Expr> {
     late(escape::s, [3, 1], x[0])
 }
 
-/// Formulas of the corrections that are written for more kinds of numbers than these trees alone, or that a print joins.
 pub fn joined() -> Vec<Formula<Expr>> {
     let formula = |path, arguments, symbols: &[&'static str], value| Formula {
         path,

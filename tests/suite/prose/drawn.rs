@@ -6,10 +6,8 @@ use std::sync::LazyLock;
 use trialbook::notation::{Tag, tags};
 use trialbook::plotting::Figure;
 
-/// All figures.
 pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| all().unwrap());
 
-/// What the words at an axis call the columns of the numbers.
 const AXES: &str = "
 cost: cost
 error: error
@@ -65,8 +63,7 @@ energy in m(μg)2/Ω2: p^2/2 | -rho^2/2 | s | sum
 (π/2 − ψ)/(π/2 − ψ1): (pi/2-psi)/(pi/2-psi_1)
 ";
 
-/// Figures with curves that are drawn from no numbers of theirs: how many. Lanes, borders, laws to compare with, the drive
-/// behind a motion, and paths turned around the axis.
+/// Lanes, borders, laws to compare with, the drive behind a motion, and paths turned around the axis.
 const BESIDE: &[(&str, usize)] = &[
     ("sinusoidal-decay", 1),
     ("periodic-census", 9),
@@ -81,7 +78,7 @@ const BESIDE: &[(&str, usize)] = &[
     ("rest-space", 12),
 ];
 
-/// A text of the drawing: its place, how it is set, and what it says; a power of ten with `^`.
+/// Its place, how it is set, and what it says; a power of ten with `^`.
 type Text = (f64, f64, String, String);
 
 fn texts(tags: &[Tag<'_>]) -> Vec<Text> {
@@ -106,7 +103,6 @@ fn texts(tags: &[Tag<'_>]) -> Vec<Text> {
     texts
 }
 
-/// The number at a tick.
 fn tick(words: &str) -> Option<f64> {
     let plain = words.replace('−', "-");
     if let Some(power) = plain.strip_prefix("10^") {
@@ -126,7 +122,7 @@ fn tick(words: &str) -> Option<f64> {
     Some(times * PI / over)
 }
 
-/// Where a number stands between two ticks, if the others fit: on an even scale or on one of powers.
+/// On an even scale or on one of powers, if the other ticks fit.
 fn scale(mut ticks: Vec<[f64; 2]>) -> Option<impl Fn(f64) -> f64> {
     ticks.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let (first, last) = (*ticks.first()?, *ticks.last()?);
@@ -144,7 +140,7 @@ fn scale(mut ticks: Vec<[f64; 2]>) -> Option<impl Fn(f64) -> f64> {
     (ticks.len() > 1).then_some(move |x| on(kind, x))
 }
 
-/// The frames of a drawing, left, top, bottom and right, each with what is drawn from there on.
+/// Left, top, bottom, right; with what is drawn from there on.
 fn panels<'a, 'b>(svg: &'b [Tag<'a>]) -> Vec<([f64; 4], &'b [Tag<'a>])> {
     let frame = |tag: &Tag<'_>| {
         let (x, rest) = tag.value("d")?.strip_prefix('M')?.split_once(' ')?;
@@ -168,10 +164,8 @@ fn panels<'a, 'b>(svg: &'b [Tag<'a>]) -> Vec<([f64; 4], &'b [Tag<'a>])> {
         .collect()
 }
 
-/// A curve: its colour, and its corners in the drawing's own lengths.
 type Drawn<'a> = (&'a str, Vec<[f64; 2]>);
 
-/// The colour that a style begins with, behind `fill:` or `stroke:`.
 fn colour<'a>(style: &'a str, what: &str) -> Option<&'a str> {
     style.split_once(what)?.1.split(['"', ',']).next()
 }
@@ -193,7 +187,7 @@ fn curves<'a>(panel: &[Tag<'a>]) -> Vec<Drawn<'a>> {
     drawn.collect()
 }
 
-/// What the words beside curves, or in the keys below, say of all of a colour: `λ0 = 0.3`.
+/// What words beside curves, or in the keys below, say of all of a colour: `λ0 = 0.3`.
 fn labels(svg: &[Tag<'_>], panel: &[Tag<'_>]) -> Vec<(String, String, f64)> {
     let said = |colour: &str, words: &str| {
         let (name, value) = words.split_once(" = ")?;
@@ -210,7 +204,6 @@ fn labels(svg: &[Tag<'_>], panel: &[Tag<'_>]) -> Vec<(String, String, f64)> {
     beside.chain(keys).collect()
 }
 
-/// How many curves of a panel are not those of the figure's numbers; what the panel does not tell.
 fn beside(
     figure: &Figure,
     svg: &[Tag<'_>],
@@ -272,7 +265,7 @@ fn beside(
             libm::hypot(p[0] - c[0], p[1] - c[1]) < 0.15 && of_label(row.as_slice())
         })
     };
-    // A curve is cut off at the frame, where no row is.
+    // At the frame a curve is cut off.
     let edge = |c: &[f64; 2]| {
         near(c[0], frame[0]) || near(c[0], frame[3]) || near(c[1], top) || near(c[1], bottom)
     };

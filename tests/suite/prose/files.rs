@@ -41,7 +41,6 @@ fn every_decimal_in_a_caption_is_one_of_its_numbers() {
     for figure in FIGURES.iter() {
         let cells = figure.csv.split(['\n', ',']);
         let mut known: Vec<f64> = cells.filter_map(|cell| cell.parse().ok()).collect();
-        // What the paper gives a name, and what has one.
         known.extend(PAPER.values().filter_map(|value| value.number().ok()));
         known.extend([2.0, SQRT_2, PI, 4.0 * PI]);
         let drawn: Vec<_> = figure

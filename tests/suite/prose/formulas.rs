@@ -7,7 +7,6 @@ use slipbook::exact::{
 };
 use slipbook::scalar::Scalar;
 
-/// What is to be said of a formula in which something is related to something.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Found {
     /// All its relations hold for all values of what is not given, or between numbers.
@@ -20,11 +19,10 @@ pub enum Found {
     Wrong(String),
 }
 
-/// What names are.
 #[derive(Debug, Clone, Default)]
 pub struct Given {
     names: Vec<(String, Value)>,
-    /// Whether a formula that says what a name is may change that.
+    /// A formula that says what a name is may not change that.
     fixed: bool,
 }
 
@@ -37,12 +35,10 @@ impl Given {
         self.names.push(name);
     }
 
-    /// How many there are.
     pub fn len(&self) -> usize {
         self.names.len()
     }
 
-    /// Takes over what has not been given here.
     pub fn complete(&mut self, later: &Self) {
         for (name, value) in &later.names {
             if self.names.iter().all(|(known, _)| known != name) {
@@ -51,7 +47,6 @@ impl Given {
         }
     }
 
-    /// The same, whatever a formula says.
     pub fn with(given: Self) -> Self {
         Self {
             fixed: true,
@@ -60,7 +55,6 @@ impl Given {
     }
 }
 
-/// The names e and those that are given.
 fn lexicon(given: &Given) -> Lexicon {
     let mut lexicon = Lexicon::new();
     for (name, value) in &given.names {
@@ -73,7 +67,7 @@ fn lexicon(given: &Given) -> Lexicon {
     lexicon
 }
 
-/// A side as it is understood; whatever has no meaning is a symbol, or three if it is bold.
+/// Whatever has no meaning is a symbol, or three if it is bold.
 pub fn read(latex: &str, side: &Side, given: &Given) -> Result<Value, LatexError> {
     let mut lexicon = lexicon(given);
     loop {
@@ -96,7 +90,7 @@ pub fn read(latex: &str, side: &Side, given: &Given) -> Result<Value, LatexError
     }
 }
 
-/// The name that begins at this character: a letter or command, its argument, and its subscript.
+/// A letter or command, its argument, and its subscript.
 fn name_at(latex: &str, at: usize) -> String {
     let chars: Vec<char> = latex.chars().collect();
     let mut end = part(&chars, at);
@@ -113,7 +107,7 @@ fn name_at(latex: &str, at: usize) -> String {
     chars[at..end].iter().collect()
 }
 
-/// Where a token ends that begins here: a character, a command with its argument if it changes a name, or what stands in braces.
+/// A character, a command with its argument if it changes a name, or what stands in braces.
 fn part(chars: &[char], mut at: usize) -> usize {
     while chars.get(at) == Some(&' ') {
         at += 1;
@@ -144,7 +138,7 @@ fn part(chars: &[char], mut at: usize) -> usize {
     }
 }
 
-/// What is to be said of a formula; none if nothing is related in it. What it says some names are is given from there on.
+/// None if nothing is related. What it says some names are is given from there on.
 pub fn found(latex: &str, given: &mut Given) -> Option<Found> {
     let statements = match statements(latex) {
         Ok(statements) => statements,
@@ -208,7 +202,6 @@ pub fn found(latex: &str, given: &mut Given) -> Option<Found> {
     Some(all)
 }
 
-/// Whether a formula relates numbers to each other, all of them known.
 pub fn is_arithmetic(latex: &str, given: &Given) -> bool {
     let statements = statements(latex).unwrap_or_default();
     statements.iter().any(|statement| {
@@ -223,7 +216,6 @@ pub fn is_arithmetic(latex: &str, given: &Given) -> bool {
     })
 }
 
-/// Whether a formula is a letter, with its accents and its index, and nothing else.
 pub fn is_name(latex: &str) -> bool {
     let sides = statements(latex).unwrap_or_default();
     let [Statement { sides, .. }] = &sides[..] else {
@@ -236,7 +228,6 @@ pub fn is_name(latex: &str) -> bool {
     sides.len() == 1 && !latex.starts_with('+') && name.is_some()
 }
 
-/// The name that a side is, if it is nothing else.
 fn symbol(side: Value) -> Option<&'static str> {
     match side.number()?.node() {
         slipbook::exact::Node::Symbol(name) => Some(name),
@@ -244,12 +235,11 @@ fn symbol(side: Value) -> Option<&'static str> {
     }
 }
 
-/// The value of a side in which all is known.
 pub fn number(side: Value) -> Option<f64> {
     side.number()?.evaluate(&|_| None)
 }
 
-/// Whether two sides are related so; none if that depends on what is not given.
+/// None if that depends on what is not given.
 fn related(latex: &str, a: Value, b: Value, relation: Relation) -> Option<bool> {
     if let (Some(x), Some(y)) = (number(a), number(b)) {
         let half = 0.5 * 0.1_f64.powi(decimals(latex)) * (1.0 + 1e-9);
@@ -281,7 +271,7 @@ fn related(latex: &str, a: Value, b: Value, relation: Relation) -> Option<bool> 
     (relation == Relation::Equal && same).then_some(true)
 }
 
-/// How many decimals the last decimal of a formula has, 0 if it has none. A full stop at its end is no part of it.
+/// 0 if there is none. A full stop at its end is no part of it.
 fn decimals(latex: &str) -> i32 {
     let latex = latex.trim_end_matches(['.', ',', ':', ' ']);
     let after = latex.rsplit_once('.').map_or("", |(_, after)| after);

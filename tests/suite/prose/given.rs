@@ -1,8 +1,8 @@
-//! Formulas that hold where something is given: `name=formula`, or `name=@function(arguments)` of the code, parted by
-//! semicolons. Without a name it is what the formula itself is to be. `left`, `right` and `difference` say what the sides of its
-//! relation, or the left one less the right one, are to be, whatever relates them, and `within` by how much two numbers may differ; a
-//! digit behind them counts the relations of a formula that has several. `row` with a digit says what that row of its cases is to be. A piece of
-//! the formula that the reader does not understand, such as an integral, has its value given in the same way, as «piece»; «piece»=, parts two statements there.
+//! Formulas that hold where something is given: `name=formula`, or `name=@function(arguments)` of the code, parted by semicolons.
+//! Without a name it is what the formula itself is to be. `left`, `right` and `difference` are the sides of its relation, or the
+//! left one less the right one, `within` how much two numbers may differ, with a digit that counts the relations, `row` one of
+//! its cases. A piece that the reader does not understand, such as an integral, has its value as «piece»; «piece»=, parts two
+//! statements there.
 
 use super::{
     compare,
@@ -14,7 +14,6 @@ use slipbook::exact::{
     latex::{Value, statements},
 };
 
-/// Whether a formula holds where this is given; if not, why.
 pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String> {
     let mut given = Given::new();
     let mut formula = formula.to_owned();
@@ -69,17 +68,15 @@ pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String
             _ => Ok(()),
         };
     }
-    // What is given first counts, whatever the formula itself gives.
+    // First counts what is given, not what the formula gives.
     match found(formula, &mut Given::with(given)) {
         Some(Found::Holds) => Ok(()),
         other => Err(format!("{other:?}")),
     }
 }
 
-/// What is asked of a relation.
 struct Asked {
     what: &'static str,
-    /// Which relation of the formula, from 0.
     relation: usize,
 }
 
@@ -134,7 +131,6 @@ impl Asked {
     }
 }
 
-/// What a row of a formula's cases says, from 0.
 fn row(formula: &str, number: usize) -> Option<&str> {
     let (_, cases) = formula.split_once(r"\begin{cases}")?;
     let (cases, after) = cases.split_once(r"\end{cases}")?;
@@ -145,14 +141,13 @@ fn row(formula: &str, number: usize) -> Option<&str> {
     Some(says.trim().trim_end_matches(','))
 }
 
-/// The value of the first side of a formula.
 fn value(latex: &str, given: &Given) -> Result<Value, String> {
     let statements = statements(latex).map_err(|why| format!("{latex}: {why}"))?;
     let side = &statements[0].sides[0];
     read(latex, side, given).map_err(|why| format!("{latex}: {why}"))
 }
 
-/// A formula of the code at these arguments: `path(a,b)`, or `path.1(a,b)` for its second component.
+/// `path(a,b)`, or `path.1(a,b)` for its second component.
 fn called(library: &Library, call: &str, given: &Given) -> Result<Value, String> {
     let (path, arguments) = call
         .trim_end_matches(')')

@@ -9,13 +9,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use trialbook::data::{Text, text};
 use trialbook::trials::Topic;
 
-/// The page with the table of the letters of our own.
 const TABLE: Text = text!("book/src/lookup.md");
 
-/// What needs no declaration: numbers with names, axes, orders of magnitude, and what a text calls by a capital.
+/// Numbers with names, axes, orders of magnitude, and what a text calls by a capital.
 const PLAIN: [&str; 8] = ["pi", "O", "bm x", "bm y", "bm z", "x", "y", "z"];
 
-/// Commands whose argument is no letter of the formula.
+/// Their argument is no letter of the formula.
 const WORDS: [&str; 8] = [
     "mathrm",
     "text",
@@ -27,14 +26,13 @@ const WORDS: [&str; 8] = [
     "spdot",
 ];
 
-/// Commands that make another letter of their argument; other accents mean a rate or a direction of the same.
+/// Other accents mean a rate or a direction of the same letter.
 const OTHER: [&str; 4] = ["bm", "mathfrak", "mathbb", "tilde"];
 
-/// Commands that are letters.
 const GREEK: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi ell pi varpi rho sigma
     tau phi chi psi omega Delta Omega Gamma Phi Psi";
 
-/// The letters of a formula, each with what makes it another and with its index: `bm R`, `tilde phi_1`.
+/// Each with what makes it another and with its index: `bm R`, `tilde phi_1`.
 pub fn letters(latex: &str) -> BTreeSet<String> {
     let mut out = BTreeSet::new();
     let mut prefix = String::new();
@@ -87,7 +85,6 @@ pub fn letters(latex: &str) -> BTreeSet<String> {
     out
 }
 
-/// What stands behind a group, a command or a character.
 fn skipped(text: &str) -> &str {
     let text = text.trim_start();
     let mut depth = 0;
@@ -112,12 +109,10 @@ fn skipped(text: &str) -> &str {
     ""
 }
 
-/// A letter without its index.
 fn base(letter: &str) -> &str {
     letter.split('_').next().unwrap_or(letter)
 }
 
-/// The letters of our own by page, each as often as it is declared.
 fn own() -> BTreeMap<String, Vec<String>> {
     let mut own = BTreeMap::<String, Vec<String>>::new();
     let mut page = String::new();
@@ -141,7 +136,6 @@ fn own() -> BTreeMap<String, Vec<String>> {
     own
 }
 
-/// The letters of a topic's boxes.
 fn boxed(topic: &Topic) -> BTreeSet<String> {
     let mut out = BTreeSet::new();
     for claim in topic.claims() {

@@ -9,7 +9,7 @@ use slipbook::scalar::Scalar;
 use slipbook::seeded::{Formula, symbol};
 use slipbook::symbols::SYMBOLS;
 
-/// The lexicon of a formula: its arguments by the table of symbols, then names with a meaning of their own.
+/// Its arguments by the table of symbols, then names with a meaning of their own.
 pub fn lexicon(
     library: &Library,
     formula: Option<&Formula<Expr>>,
@@ -52,7 +52,6 @@ pub fn lexicon(
     Ok(lexicon)
 }
 
-/// The trees of a formula of its own letters.
 pub fn tree(formula: &Formula<Expr>) -> Vec<Expr> {
     let letters: Vec<_> = formula
         .symbols
@@ -62,15 +61,12 @@ pub fn tree(formula: &Formula<Expr>) -> Vec<Expr> {
     (formula.value)(&letters)
 }
 
-/// An argument of a formula.
 struct Argument {
     name: &'static str,
     latex: &'static str,
-    /// The letters of its components, or its own.
     parts: Vec<&'static str>,
 }
 
-/// The arguments of a formula with their letters.
 fn arguments(formula: &Formula<Expr>) -> Vec<Argument> {
     let module = formula
         .path
@@ -81,7 +77,7 @@ fn arguments(formula: &Formula<Expr>) -> Vec<Argument> {
     for name in formula.arguments {
         let symbol = symbol(SYMBOLS, module, name).expect("a declared symbol");
         let common = symbol.parts.iter().zip(letters).take_while(|(a, b)| a == b);
-        // One letter alone is the argument's own, even if a pair of the same name begins with it.
+        // Even if a pair of the same name begins with it.
         let count = match common.count() {
             0 | 1 => 1,
             count => count,
@@ -111,7 +107,6 @@ impl Argument {
         }
     }
 
-    /// The name of a vector's size: without the bold.
     fn unbold(&self) -> Option<String> {
         let bold = self.latex.strip_prefix(r"\bm")?;
         Some(bold.trim().to_owned())

@@ -1,17 +1,16 @@
 //! Slips of the pen: every text that differs from a LaTeX text in one place.
 
-/// What is taken for each other, each for the one behind it.
+/// Each for the one behind it.
 const TAKEN: &str = r"- + + - = < < > > < \sin \cos \cos \sin \tan \cot \cot \tan \sinh \cosh \cosh \sinh \tanh \coth \coth \tanh
     \ln \exp \cdot \times \times \cdot \dot \ddot \ddot \dot \approx = \simeq = \sim = \leq \geq";
 
-/// Commands that are names.
 const NAMES: &str = r"\alpha \beta \gamma \zeta \eta \theta \kappa \lambda \mu \nu \xi \pi \rho \sigma \tau \phi \psi \omega \Omega
     \varpi \ell";
 
-/// Texts in the place of which a letter is no name.
+/// A letter in their argument is no name.
 const WORDS: [&str; 4] = [r"\text", r"\mbox", r"\begin", r"\end"];
 
-/// A piece of LaTeX with its place: a command, a whole number, a character; words in braces belong to their command.
+/// Commands, whole numbers, characters; words in braces belong to their command.
 pub fn pieces(latex: &str) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
     let mut at = 0;
@@ -35,8 +34,7 @@ pub fn pieces(latex: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// All texts with one piece changed: a number one more, a sign or function for the one it is taken for, a name for the
-/// next one of the text.
+/// A number one more, a sign or function for the one it is taken for, a name for the next one of the text.
 pub fn mistakes(latex: &str) -> Vec<String> {
     let pieces = pieces(latex);
     let name = |piece: &str| {

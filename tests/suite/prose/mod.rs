@@ -1,6 +1,6 @@
-//! What is printed and what the pages say, against what is computed. The print: the LaTeX of the equations and of the corrections is
-//! read into trees and held against the formulas of the code. The pages: formulas and decimals are tried; words and counts are computed where
-//! they stand, `src/edition/words`, and in captions, `src/figures`.
+//! The print: the LaTeX of the equations and of the corrections, read into trees, against the formulas of the code. The pages:
+//! formulas and decimals are tried; words and counts are computed where they stand, `src/edition/words`, and in captions,
+//! `src/figures`.
 
 mod by_hand;
 mod compare;

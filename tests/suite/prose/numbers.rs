@@ -5,7 +5,6 @@ use slipbook::book::{Piece, pieces};
 use slipbook::edition::EDITION;
 use trialbook::notation::literals;
 
-/// The decimals of a text as they stand there, without numbers of sections and of problems.
 pub fn decimals(text: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let mut rest = text;
@@ -28,7 +27,7 @@ pub fn decimals(text: &str) -> Vec<&str> {
     found
 }
 
-/// The decimals of a page that are neither in the code of their section nor in arithmetic that is tried as it stands.
+/// Neither in the code of their section nor in arithmetic that is tried as it stands.
 fn from_nowhere(page: &str) -> Vec<String> {
     let mut sections = vec![Vec::new()];
     for (_, piece) in pieces(page) {

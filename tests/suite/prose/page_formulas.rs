@@ -14,7 +14,6 @@ use std::collections::BTreeSet;
 
 const TABLE: &str = "tests/data/formulas.txt";
 
-/// The table: page, what is given, formula. What is given of a definition is nothing.
 fn entries() -> Vec<(String, String, String)> {
     let (mut page, mut entries) = (String::new(), Vec::new());
     for line in std::fs::read_to_string(TABLE).unwrap().lines() {
@@ -32,7 +31,7 @@ fn entries() -> Vec<(String, String, String)> {
     entries
 }
 
-/// A formula as it counts: room, the size of a fraction and the stop behind it aside.
+/// Without room, the size of a fraction and the stop behind it.
 fn key(latex: &str) -> String {
     let latex = latex.trim_end_matches(['.', ',', ':', ' ']);
     let pieces = pieces(latex).into_iter().map(|(_, piece)| piece);
@@ -50,7 +49,7 @@ fn key(latex: &str) -> String {
         .join(" ")
 }
 
-/// A formula of a page: the page, the line, the formula, and what is to be said of it where it stands.
+/// Page, line, formula, and what is to be said of it there.
 type Here = (&'static str, usize, String, Option<Found>);
 
 fn formulas() -> Vec<Here> {
@@ -76,7 +75,7 @@ fn formulas() -> Vec<Here> {
     all
 }
 
-/// What a page may say: its entries and what these give, and what the paper prints or the corrections do, which is held by `print`.
+/// What its entries give, and what the paper or the corrections print, which `print` holds.
 struct Asked(BTreeSet<(String, String)>);
 
 impl Asked {
@@ -104,7 +103,6 @@ impl Asked {
         Self(asked)
     }
 
-    /// What is wrong with a formula of a page.
     fn fault(&self, (page, line, formula, what): &Here) -> Option<String> {
         let of = |page: &str| self.0.contains(&(page.to_owned(), key(formula)));
         if let Some(Found::Wrong(why)) = what
@@ -175,7 +173,7 @@ fn a_slip_in_a_formula_is_seen() {
     {
         for slip in mistakes(formula) {
             let here = (*page, *line, slip, None);
-            // What is said elsewhere on the page, or is true as well, is no slip that could be told.
+            // What is said elsewhere on the page, or is true as well, is no slip.
             let said = asked.0.contains(&((*page).to_owned(), key(&here.2)));
             let holds = || found(&here.2, &mut Given::new()) == Some(Found::Holds);
             if !said && asked.fault(&here).is_none() && !holds() {

@@ -1,7 +1,6 @@
-//! Each numbered equation of the paper's LaTeX, and each correction's, read into a tree, is the formula that the code computes with.
+//! Each numbered equation of the paper's LaTeX, and each correction's, is the formula that the code computes with.
 //!
-//! What no formula says, a left side or a relation, is held by its letters against the plain text, which is in the claim's entry
-//! or, where it is computed, in its snapshot alone.
+//! Left sides and relations are held by their letters against the plain text.
 
 use super::{
     compare::Same,
@@ -14,7 +13,6 @@ use slipbook::claims::PAPER;
 use slipbook::exact::latex::statements;
 use std::collections::BTreeSet;
 
-/// What of the texts is no formula of the code, or reads otherwise in plain text; what agrees by its values alone goes on the list.
 fn failures(texts: &[Held], measured: &mut Vec<&'static str>) -> Vec<String> {
     let library = Library::new();
     let mut failures = Vec::new();

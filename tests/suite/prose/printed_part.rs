@@ -14,7 +14,6 @@ use slipbook::exact::{
 use slipbook::scalar::Scalar;
 use slipbook::seeded::Formula;
 
-/// All formulas of the code.
 pub struct Library {
     pub formulas: Vec<Formula<Expr>>,
 }
@@ -39,14 +38,12 @@ impl Library {
         }
     }
 
-    /// The formulas with the number of an equation.
     pub fn numbered(&self, number: &str) -> Vec<&Formula<Expr>> {
         let prefix = format!("eq{number}_");
         let own = |formula: &&Formula<Expr>| formula.name.starts_with(&prefix);
         self.formulas.iter().filter(own).collect()
     }
 
-    /// How the parts of a text are the same as the formulas; if one is not, why.
     pub fn hold(&self, latex: &str, line: &Line) -> Result<Vec<Same>, String> {
         self.pairs(latex, line)?
             .into_iter()
@@ -54,7 +51,6 @@ impl Library {
             .collect()
     }
 
-    /// Whether the part is understood at all.
     pub fn reads(&self, latex: &str, line: &Line) -> bool {
         self.pairs(latex, line).is_ok()
     }
@@ -65,7 +61,6 @@ impl Library {
         pairs.is_ok_and(|pairs| pairs.iter().all(|(a, b)| compare::differ(*a, *b).is_none()))
     }
 
-    /// The trees of the print, each with that of the code.
     fn pairs(&self, latex: &str, line: &Line) -> Result<Vec<(Expr, Expr)>, String> {
         let formula = match line.segment {
             0 => Some(latex),
@@ -97,7 +92,6 @@ impl Library {
         Ok(printed.into_iter().zip(code).collect())
     }
 
-    /// What the code has under this name of a line.
     fn code(&self, name: &str) -> Result<Vec<Expr>, String> {
         Ok(match name {
             "0" => vec![Expr::int(0)],
@@ -117,7 +111,6 @@ impl Library {
     }
 }
 
-/// A name of a line, without the number of a component, and that number.
 fn without_component(name: &str) -> (&str, Option<usize>) {
     match name.split_once('.') {
         Some((name, component)) => (name, component.parse().ok()),
@@ -132,7 +125,6 @@ fn parts(value: Value) -> Vec<Expr> {
     }
 }
 
-/// What is printed at a place.
 fn printed(
     statements: &[Statement],
     place: Place,

@@ -16,7 +16,7 @@ use super::{printed_part::Library, words};
 use slipbook::claims::PAPER;
 use trialbook::trials::{Claim, Topic};
 
-/// A part of a text. Statements and sides are counted from 0.
+/// Statements and sides are counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// `side 0.1`: of this statement, of this number.
@@ -29,16 +29,14 @@ pub enum Place {
     FromRightAngle,
     /// `pieces`: the values of all cases.
     Pieces,
-    /// `ends`: where the cases begin and the last one ends; each has to begin where the one before it ends.
+    /// `ends`: each case has to begin where the one before it ends.
     Ends,
     /// `list`: the right sides of what is listed in brackets.
     List,
 }
 
-/// A part of a text, and what it is held against.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
-    /// Which formula between dollar signs, 0 if the text is a formula.
     pub segment: usize,
     pub place: Place,
     pub formulas: &'static str,
@@ -82,21 +80,19 @@ impl Line {
     }
 }
 
-/// A text of a claim, with its parts.
 pub struct Held {
     pub id: &'static str,
-    /// Its file and its id, for messages.
     pub at: String,
     pub corrected: bool,
     pub latex: &'static str,
     plain: &'static str,
-    /// How the print begins, where the plain text says it in other words.
+    /// Where the plain text says the print's beginning in other words.
     words: Option<&'static str>,
     pub lines: Vec<Line>,
 }
 
 impl Held {
-    /// Of the printed text of a claim or, `corrected`, of what is right, with what is wrong in its entry.
+    /// Or, `corrected`, what is right in its place; with what is wrong in its entry.
     fn of(
         library: &Library,
         topic: &Topic,
@@ -158,12 +154,11 @@ impl Held {
         Some((held, wrong))
     }
 
-    /// Whether the letters of a text in place of its own are those of the plain text.
+    /// Whether its letters are those of the plain text.
     pub fn says(&self, latex: &str) -> bool {
         let printed = words::of_latex(latex);
         match self.words {
             Some(begins) => printed.starts_with(&words::of_plain(begins)),
-            // What a constant is, the print says in the text around it.
             None => {
                 let plain = self.plain.trim_end_matches(", c constant");
                 printed == words::of_plain(plain.trim_end_matches(", 𝐜 constant"))
@@ -172,7 +167,7 @@ impl Held {
     }
 }
 
-/// What is printed, of each equation and of what else says `reads`, and what is right in its place; with what is wrong in the entries.
+/// Of each equation and of what else says `reads`; with what is wrong in the entries.
 pub fn held(library: &Library, corrected: bool) -> (Vec<Held>, Vec<String>) {
     let of = |(topic, claim): (&'static Topic, &'static Claim)| {
         let read = corrected || claim.equation.is_some() || !claim.reads.is_empty();

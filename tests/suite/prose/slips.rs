@@ -10,8 +10,7 @@ use slipbook::claims::formulas::formulas;
 use slipbook::exact::Expr;
 use slipbook::seeded::{self, Formula};
 
-/// How many slips of the pen were noticed: by the reader; by a formula of the code; by the words alone, those of the plain text
-/// that stands in the claim's snapshot too.
+/// By the reader; by a formula of the code; by the words alone.
 #[derive(Debug, Default, PartialEq)]
 struct Noticed {
     not_understood: usize,
@@ -20,7 +19,6 @@ struct Noticed {
 }
 
 impl Noticed {
-    /// What becomes of each slip in a text that is held by its lines and by its words; those that nobody notices.
     fn all(&mut self, library: &Library, held: &Held) -> Vec<String> {
         let lines = &held.lines;
         let mut missed = Vec::new();
@@ -53,7 +51,6 @@ fn every_slip_of_the_pen_is_noticed() {
     assert!(missed.is_empty(), "{missed:#?}");
 }
 
-/// What became of every mistake that is seeded in a formula of the code, held against these lines.
 #[derive(Debug, Default)]
 struct Seeded {
     noticed: usize,
@@ -123,7 +120,7 @@ fn every_mistake_in_a_correction_that_is_printed_is_noticed() {
                 .clone()
                 .all(|(latex, line)| library.agrees(latex, line))
         });
-        // Some add to a correction, or serve another that is printed.
+        // Some formulas serve another that is printed.
         if own.noticed == 0 {
             not_printed += 1;
         } else {
@@ -138,7 +135,6 @@ fn every_mistake_in_a_correction_that_is_printed_is_noticed() {
     assert!(all.missed.is_empty() && printed > 10);
 }
 
-/// The topic of a formula by its path; none of a name alone.
 fn topic(path: &str) -> Option<&str> {
     path.rsplit("::").nth(1)
 }

@@ -1,6 +1,5 @@
 //! Texts, and the formulas in them.
 
-/// Prose without what stands between marks and is no prose.
 pub fn bare(text: &str) -> String {
     let lines = text
         .split_inclusive('\n')
@@ -21,7 +20,6 @@ pub fn bare(text: &str) -> String {
     text.replace("$$", "$")
 }
 
-/// The formulas of a text, each on one line.
 pub fn formulas_of(text: &str) -> Vec<String> {
     let formulas = text.split('$').skip(1).step_by(2);
     let flat = |formula: &str| formula.split_whitespace().collect::<Vec<_>>().join(" ");

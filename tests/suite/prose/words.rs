@@ -1,11 +1,9 @@
-//! A print as the letters, numbers and signs that it has in order: brackets, blanks and ways of writing aside.
-//!
-//! So a row's plain text is held against its LaTeX, and of each print what no formula of the code says: the left sides,
-//! the relations, the conditions of cases.
+//! A print as the letters, numbers and signs that it has in order: for plain text against LaTeX, and for what no formula of the
+//! code says, left sides, relations, the conditions of cases.
 
 use trialbook::notation::plain_words;
 
-/// The same in different letters.
+/// The same in other letters.
 const SPELLINGS: &[(&str, &str)] = &[
     ("sin-1", "asin"),
     ("cos-1", "acos"),
@@ -19,7 +17,6 @@ const SPELLINGS: &[(&str, &str)] = &[
 /// Characters that count as the next one.
 const PLAINER: &str = "−-⋯…²2³3⁴4⁻-¹1₀0₁1₂2₃3₄4₊+₋-𝔴w𝐀A𝐅F𝐑R𝐜c𝐫r𝐮u𝐯v𝐰w𝛄γ𝛇ζ𝛎ν𝛒ρ𝛚ω";
 
-/// A formula, or words with formulas between dollar signs, in LaTeX.
 pub fn of_latex(latex: &str) -> String {
     let text = if latex.contains('$') {
         plain_words(latex)
@@ -34,7 +31,6 @@ pub fn of_latex(latex: &str) -> String {
     }
 }
 
-/// A formula or words in plain text.
 pub fn of_plain(plain: &str) -> String {
     let mut text: String = plain.chars().filter_map(plainer).collect();
     for (from, to) in SPELLINGS {
@@ -63,7 +59,6 @@ pub fn of_plain(plain: &str) -> String {
     out
 }
 
-/// A character as it counts; none if it does not.
 fn plainer(c: char) -> Option<char> {
     if c.is_whitespace() || "()[]{},;.·^_".contains(c) {
         return None;

@@ -1,10 +1,9 @@
-//! Balls against Arb (`balls.py`): each holds the range; of single numbers all but a few bits are known, and of wide balls
-//! the result is not much wider than it must be.
+//! Balls against Arb (`balls.py`): each holds the range; of single numbers all but a few bits are known, and wide balls are not
+//! much wider than they must be.
 
 use crate::table::{ball, number, rows};
 use trialbook::certified::{ball::Ball, interval::Interval};
 
-/// Bits behind those of the result with which it is compared.
 const SPARE: usize = 64;
 
 /// Exactly a single number, or all from `lo` to `hi`.
@@ -29,7 +28,7 @@ fn result(name: &str, x: &Ball, y: Option<&Ball>) -> Option<Ball> {
     }
 }
 
-/// Whether the decimals lie in the ball; they are cut off far behind its last bit.
+/// Cut off far behind the last bit.
 fn holds(all: &Ball, decimals: &str) -> bool {
     let fine = all.bits() + SPARE;
     let exact = ball(decimals, fine);
@@ -39,18 +38,17 @@ fn holds(all: &Ball, decimals: &str) -> bool {
     exact.inside(&(all.with_bits(fine) + room))
 }
 
-/// Bits of a result for a single number that may be unknown.
 fn spare_bits(name: &str) -> usize {
     match name {
         "+" | "-" => 0,
         "*" | "/" | "sqrt" | "sin" | "cos" => 2,
-        // Up to 2⁻²⁶ before 1, where it is so steep that 13 bits are lost.
+        // Up to 2⁻²⁶ before 1, where 13 bits are lost.
         "asin" => 8,
         other => panic!("no function {other}"),
     }
 }
 
-/// How wide the result for a wide ball may be, against the range and the ball itself; and a few units for rounding.
+/// Against the range and the ball itself; and a few units for rounding.
 fn is_narrow(name: &str, found: &Ball, x: Interval, range: Interval) -> bool {
     let most = match name {
         "+" | "-" => range.width(),
@@ -78,7 +76,6 @@ fn every_range_is_enclosed_and_few_bits_are_lost() {
         let y = (!lo2.is_empty()).then(|| given(lo2, hi2, bits));
         let found = result(name, &x, y.as_ref());
         let case = format!("{name} [{lo}, {hi}] [{lo2}, {hi2}] to {bits} bits: {found:?}");
-        // A ball around all numbers from `lo` to `hi` holds more than these.
         let ends = match name {
             "sqrt" => lo != hi && number(lo) <= 0.0,
             "asin" => lo != hi && number(lo).abs().max(number(hi).abs()) >= 1.0,

@@ -4,7 +4,6 @@ use crate::table::rows;
 use trialbook::exact::{ExactError, Expr, Ring};
 use trialbook::scalar::Scalar;
 
-/// All that the formulas are made of.
 fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     let [x, y, e] = ["x", "y", "e"].map(|name| ring.symbol(name));
@@ -22,7 +21,6 @@ fn ring() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// A formula that is written backwards, as the script says.
 fn formula(text: &str) -> Option<Expr> {
     let mut stack: Vec<Expr> = Vec::new();
     for token in text.chars() {

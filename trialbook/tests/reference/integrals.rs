@@ -40,8 +40,8 @@ fn integrals_are_those_of_mpmath() {
         };
         let found = found.unwrap_or_else(|error| panic!("{name} {k}: {error}"));
         let off = (found.value - exact).abs();
-        // Where all of x² e⁻ˣ/(1 + k x) lies within 1/k of an end the adaptive rule ends early: 6·10⁻¹³ are known to be
-        // missing, and its own estimate of the error says that more may be.
+        // Where x² e⁻ˣ/(1 + k x) lies within 1/k of an end the adaptive rule ends early: 6·10⁻¹³ are missing, and its error
+        // estimate allows more.
         let early = name == "small" && k > 1e5;
         let room = if early { 1e-12 } else { 2e-14 };
         assert!(

@@ -4,20 +4,16 @@ use crate::table::{number, rows};
 use trialbook::certified::interval::Interval;
 use trialbook::scalar::Scalar;
 
-/// Beyond this the sine and the cosine are not told, and all that is said of them is that they lie between −1 and 1.
+/// Beyond this only −1 and 1 bound the sine and the cosine.
 const FARTHEST: f64 = 1e5;
 
-/// Beyond ±700 the exponential is not told, but that it is below or above these. So is the logarithm beyond 10^±290.
+/// The exponential beyond ±700, and the logarithm beyond 10^±290, is only bounded by these.
 const SMALL: f64 = 1e-300;
 const LARGE: f64 = 1e300;
 
-/// How far a bound may lie outside the range.
 enum Room {
-    /// One step of the doubles.
     Step,
-    /// So much.
     Within(f64),
-    /// This is only enclosed.
     Any,
 }
 
@@ -56,20 +52,19 @@ fn binary(name: &str, x: Interval, y: Interval) -> Interval {
     }
 }
 
-/// The room beside a bound of the range.
 fn room(name: &str, x: Interval, y: Option<Interval>, bound: f64) -> Room {
     let size = bound.abs();
     let is_point = x.lo() == x.hi();
-    // A unit in the last place of the bound, of a number of order one, and of the larger of the two.
+    // In the last place of the bound, of a number of order one, and of the larger of the two.
     let (relative, absolute) = (f64::EPSILON * size, f64::EPSILON);
     let larger = relative.max(absolute);
-    // π/2 is known to 86 bits after the point, and taken off so often as it goes into the argument.
+    // π/2 is known to 86 bits after the point, and taken off as often as it goes into the argument.
     let turned = x.magnitude() * 2.0_f64.powi(-84);
     match name {
         "+" | "-" | "*" | "/" | "sqrt" | "squared" => Room::Step,
         "sin" | "cos" | "tan" | "cot" if x.magnitude() > FARTHEST => Room::Any,
         "sin" | "cos" => Room::Within(4.0 * relative + turned),
-        // A quotient of two enclosures: on a wide interval it is wider than the range.
+        // A quotient of two enclosures is wider than the range on a wide interval.
         "tan" | "cot" | "tanh" | "coth" if !is_point => Room::Any,
         "tan" | "cot" => Room::Within(8.0 * relative + 2.0 * (turned + turned * size * size)),
         // Beyond 3/4 twice that of another number.
@@ -100,7 +95,6 @@ fn room(name: &str, x: Interval, y: Option<Interval>, bound: f64) -> Room {
     }
 }
 
-/// Whether `found`, a lower bound, lies below `best` and no farther than this.
 fn is_tight(found: f64, best: f64, room: &Room) -> bool {
     match room {
         Room::Step => found == best || found == best.next_down(),
@@ -138,7 +132,6 @@ fn every_range_is_enclosed_and_by_no_more_than_is_said() {
         assert!(is_tight(-found.hi(), -most, &rooms[1]), "too high: {case}");
         told += usize::from(rooms.iter().all(|room| !matches!(room, Room::Any)));
     }
-    // Most of what was asked is held to its room.
     assert!(told > 4500 && none > 300, "{told} {none}");
 }
 

@@ -1,4 +1,4 @@
-//! The Taylor integrator against mpmath's solutions (`motions.py`), in doubles and in numbers of 31 digits.
+//! The Taylor integrator against mpmath's solutions (`motions.py`).
 
 use crate::table::{ball, number, rows};
 use trialbook::certified::{ball::Ball, interval::Interval};
@@ -9,16 +9,14 @@ use trialbook::numerics::{
     taylor::{Control, Integrator, Step, System, TERMS, integrate},
 };
 
-/// Components, the unused ones at rest at 0.
+/// Unused ones are at rest at 0.
 const MOST: usize = 4;
 
-/// A law of the script, by its name, with its parameter.
 struct Law<'a> {
     name: &'a str,
     parameter: f64,
 }
 
-/// Series on the way: of the time or an argument, and of two functions of it.
 struct Room<T>([Vec<T>; 3]);
 
 impl<T> Default for Room<T> {
@@ -45,7 +43,6 @@ impl<T: Number, const N: usize> System<T, MOST, N> for Law<'_> {
     ) -> [T; MOST] {
         let times = |n: f64, x: T| T::from_f64(n) * x;
         let zero = || T::from_f64(0.0);
-        // A constant's coefficient.
         let only_first = |c: f64| T::from_f64(if k == 0 { c } else { 0.0 });
         let p = self.parameter;
         // The squares of two components together, and a power of their sum.
@@ -124,7 +121,6 @@ impl<T: Number, const N: usize> System<T, MOST, N> for Law<'_> {
     }
 }
 
-/// A motion that was asked for: start and end of each component.
 struct Case {
     law: Law<'static>,
     time: f64,
@@ -136,7 +132,6 @@ fn cases() -> Vec<Case> {
     let mut cases: Vec<Case> = Vec::new();
     let mut begun = Vec::new();
     for [name, parameter, time, start, end] in rows(include_str!("motions.csv")) {
-        // Components of one motion follow each other.
         let components = match name {
             "turn" | "kepler" => 4,
             "lorenz" => 3,
@@ -166,12 +161,12 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-/// All digits of a number: the nearest double and what it lacks.
+/// The nearest double and what it lacks.
 fn double(decimals: &str) -> Double {
     let near = number(decimals);
     let single = Ball::enclosing(Interval::point(near), 300).expect("a finite number");
     let lacks = ball(decimals, 300) - single.middle();
-    // An interval tells 90 bits after the point, and some are wanted that stand behind.
+    // An interval tells 90 bits after the point.
     let shift = Ball::int(1 << 50, 0);
     let shifted = lacks * &shift * &shift;
     Double::from(near) + Double::from(shifted.interval().mid() * 2.0_f64.powi(-100))
@@ -181,8 +176,7 @@ fn padded<T: Number>(start: &[f64]) -> [T; MOST] {
     std::array::from_fn(|i| T::from_f64(start.get(i).copied().unwrap_or(0.0)))
 }
 
-/// By how many roundings an end may be off: some for each step, and those at the start count for more where motions part,
-/// or where what ends small began large.
+/// Some for each step, and those at the start count for more where motions part, or where what ends small began large.
 fn parting(name: &str) -> f64 {
     match name {
         "lorenz" | "kepler" | "gauss" => 300.0,
@@ -232,7 +226,6 @@ fn ends_in_numbers_of_31_digits_are_those_of_mpmath() {
         let mut found = None;
         for _ in 0..1000 {
             run.expand(&mut step).expect("finite coefficients");
-            // What is left of the time has 31 digits too.
             let left = Double::from(time) - *run.t();
             if step.h >= left.to_f64() {
                 found = Some(step.at(&left));

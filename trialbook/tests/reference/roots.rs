@@ -20,8 +20,7 @@ fn function(name: &str, k: f64, x: f64) -> f64 {
     }
 }
 
-/// By how many times its own rounding a function's may move the root: the terms that cancel there, over the root and the
-/// slope.
+/// The terms that cancel there, over the root and the slope.
 fn condition(name: &str, k: f64, x: f64) -> f64 {
     match name {
         "exp" | "lambert" => 1.0 / x.abs().min(1.0),

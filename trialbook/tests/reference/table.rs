@@ -2,7 +2,6 @@
 
 use trialbook::certified::ball::Ball;
 
-/// The fields of each row.
 pub fn rows<const N: usize>(text: &'static str) -> impl Iterator<Item = [&'static str; N]> {
     text.lines().skip(1).map(|line| {
         let fields: Vec<_> = line.split(',').collect();
@@ -10,12 +9,11 @@ pub fn rows<const N: usize>(text: &'static str) -> impl Iterator<Item = [&'stati
     })
 }
 
-/// A double.
 pub fn number(field: &str) -> f64 {
     field.parse().expect("a number")
 }
 
-/// Decimals as a ball with so many bits after the point: within two units of the last.
+/// Within two units of the last of so many bits after the point.
 pub fn ball(decimals: &str, bits: usize) -> Ball {
     let (sign, size) = match decimals.strip_prefix('-') {
         Some(size) => (-1, size),

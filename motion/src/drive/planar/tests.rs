@@ -9,8 +9,8 @@ fn sine() -> Drive {
 
 #[test]
 fn a_passage_through_zero_multiplies_the_logarithm() {
-    // Square wave ±1: w_x falls through zero where h = −1. Across the layer a falls and b rises at constant
-    // rates, so that ln w_y is multiplied by (1 + λ)/(1 − λ), up to terms that do not grow with it.
+    // w_x falls through zero where h = −1. Across the layer a falls and b rises at constant rates, so ln w_y is multiplied by (1
+    // + λ)/(1 − λ), up to terms that do not grow with it.
     let drive = Drive::new(|x| if x < PI { 1.0 } else { -1.0 }, &[PI]).unwrap();
     for lambda in [0.1, 0.4] {
         let through = |ln_w_y: f64| {
@@ -24,7 +24,7 @@ fn a_passage_through_zero_multiplies_the_logarithm() {
         let slope = (through(-3000.0) - through(-2000.0)) / -1000.0;
         let expected = (1.0 + lambda) / (1.0 - lambda);
         assert!((slope / expected - 1.0).abs() < 1e-12, "{slope} {expected}");
-        // The same from the wide layer on: nothing happens at the depth where the linear law takes over.
+        // Nothing happens at the depth where the linear law takes over.
         let shallow = (through(-40.0) - through(-20.0)) / -20.0;
         assert!(
             (shallow / expected - 1.0).abs() < 1e-9,

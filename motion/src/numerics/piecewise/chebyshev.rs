@@ -4,31 +4,27 @@ use crate::numerics::series::value;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Interpolation points per part.
 pub(super) const POINTS: usize = 16;
-/// Coefficients below this share of the largest value are rounding noise.
+/// As a share of the largest value.
 const NOISE: f64 = 3e-16;
-/// A part is resolved when its last two coefficients are below this share of the largest value.
+/// Of the last two coefficients, as a share of the largest value.
 const RESOLVED: f64 = 1e-15;
-/// Places between the interpolation points, as shares of the part, where the fit is checked.
+/// As shares of the part, between the interpolation points.
 const CHECKS: [f64; 4] = [0.004, 0.171, 0.463, 0.921];
 
 /// cos(πn/2N) for a full turn, N the number of points.
 static COSINES: LazyLock<[f64; 4 * POINTS]> =
     LazyLock::new(|| std::array::from_fn(|n| libm::cos(PI * n as f64 / (2 * POINTS) as f64)));
 
-/// One part and its polynomial.
 #[derive(Debug, Clone)]
 pub struct Fit {
-    /// Left end.
     pub start: f64,
-    /// Right end.
     pub end: f64,
-    /// Coefficients of the powers of the distance from the left end.
+    /// Of the powers of the distance from the left end.
     pub coefficients: Vec<f64>,
-    /// What the polynomial may miss: some roundings of the largest value, and of the argument where the function is steep.
+    /// Some roundings of the largest value, and of the argument where the function is steep.
     pub tolerance: f64,
-    /// Whether at twenty points it misses no more.
+    /// At twenty points it misses no more.
     pub resolved: bool,
 }
 

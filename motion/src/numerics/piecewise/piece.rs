@@ -65,7 +65,7 @@ impl Piece {
         self.before
     }
 
-    /// The coefficients of the powers of the distance from the left end.
+    /// Of the powers of the distance from the left end.
     pub fn coefficients(&self) -> &[f64] {
         &self.coefficients[..=self.degree]
     }
@@ -121,7 +121,6 @@ impl Piece {
     }
 }
 
-/// 1/(k+1).
 const RECIPROCALS: [f64; POINTS] = {
     let mut table = [0.0; POINTS];
     let mut k = 0;
@@ -132,7 +131,7 @@ const RECIPROCALS: [f64; POINTS] = {
     table
 };
 
-/// The mean of a piece's function between a fixed point s₀ and a variable one.
+/// The mean between a fixed point s₀ and a variable one.
 #[derive(Debug, Clone)]
 pub struct Secant<'p> {
     piece: &'p Piece,
@@ -140,7 +139,7 @@ pub struct Secant<'p> {
 }
 
 impl Secant<'_> {
-    /// The mean between s₀ and `s`: the integral is (s − s₀) times this, with no loss for s near s₀.
+    /// The integral from s₀ is (s − s₀) times this, with no loss for s near s₀.
     pub fn mean(&self, s: f64) -> f64 {
         series::value(&self.quotient[..=self.piece.degree], &s)
     }

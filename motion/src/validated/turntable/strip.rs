@@ -1,5 +1,4 @@
-//! Fates on both sides of a line that follows the boundary between rest and escape: cells along it are decided nearly
-//! up to it, where cells of a grid, which it crosses, are not.
+//! Fates on both sides of a line that follows the boundary between rest and escape: cells along it are decided nearly up to it.
 
 use super::{Judged, Law, judge};
 use crate::scalar::Scalar;
@@ -12,13 +11,13 @@ pub struct Strip {
     pub a: Interval,
     /// The ends of the range, in radians.
     pub psi: [f64; 2],
-    /// α at the ends of a line, which is straight in between; positive, below `reach`.
+    /// At the ends of a line that is straight in between; positive, below `reach`.
     pub line: [f64; 2],
     /// The largest α.
     pub reach: f64,
 }
 
-/// Up to where the fates of a [`Strip`] are proved, as shares of the way from the line to the strip's end.
+/// As shares of the way from the line to the strip's end, up to where fates are proved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
     /// Below the line b all come to rest with α ≤ (1 − `rest`) b.
@@ -31,21 +30,18 @@ pub struct Margins {
 const TERMS: usize = 10;
 const ACCURACY: f64 = 1e-7;
 
-/// Steps after which a cell's fate is not proved.
 const STEPS: usize = 400;
 
-/// A set as wide as this in a coordinate is not followed farther.
 const WIDE: f64 = 1.0;
 
-/// Layers reach down to this share at the nearest.
+/// As a share of the way.
 const NEAREST: f64 = 1e-12;
 
-/// Halvings of a layer's cell: of layers that begin farther out than `THICK`, and of the others.
+/// Of a layer's cell that begins farther out than `THICK`, and of the others.
 const THICK: f64 = 1.0 / 16.0;
 const HALVINGS: u32 = 12;
 const HALVINGS_OF_THIN: u32 = 9;
 
-/// A side of the line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Side {
     Below,
@@ -53,7 +49,6 @@ enum Side {
 }
 
 impl Margins {
-    /// Nothing is proved.
     pub const NONE: Margins = Margins {
         rest: 1.0,
         escape: 1.0,
@@ -79,7 +74,7 @@ impl Strip {
 
     /// What is proved of a part of this strip, with a line of its own, where `known` is proved of the whole.
     pub fn inherited(&self, known: Margins, part: &Strip) -> Margins {
-        // Along straight lines the one bound is within the other where it is so at the part's ends.
+        // Along straight lines, where the one bound is within the other at the part's ends.
         let share = |side, known| {
             let proved = Interval::int(1) - Interval::point(known);
             let shares = part.psi.map(|psi| {
@@ -111,7 +106,6 @@ impl Strip {
         margin
     }
 
-    /// From the strip's end on a side to the line, at an angle.
     fn height_at(&self, psi: f64, side: Side) -> Interval {
         let line = self.line_at(number(psi)).value;
         match side {
@@ -126,7 +120,6 @@ impl Strip {
         first + (psi - from) * ((last - first) / (to - from))
     }
 
-    /// From the line's higher end to the strip's.
     fn height(&self, side: Side) -> f64 {
         match side {
             Side::Below => self.line[0].max(self.line[1]),
@@ -134,7 +127,7 @@ impl Strip {
         }
     }
 
-    /// Whether all starts of a cell have the fate of the side, by the cell as it is or by its parts.
+    /// By the cell as it is or by its parts.
     fn all(&self, cell: [Interval; 2], side: Side, halvings: u32) -> bool {
         if self.decided(cell, side) {
             return true;
@@ -153,8 +146,7 @@ impl Strip {
             .all(|part| self.all(part, side, halvings - 1))
     }
 
-    /// Whether all starts of a cell have the fate of the side. A cell is a range of shares of the way from the line, and
-    /// one of ψ.
+    /// Of a cell: a range of shares of the way from the line, and one of ψ.
     fn decided(&self, cell: [Interval; 2], side: Side) -> bool {
         let variables = Jet::variables(&cell);
         let alpha = self.alpha(variables, side).value;
@@ -211,7 +203,7 @@ fn number(x: f64) -> Jet<2> {
 mod tests {
     use super::*;
 
-    /// Near ψ = 0, where the boundary at A = 0.5 is at α = 0.7547.
+    /// Near ψ = 0; the boundary at A = 0.5 is at α = 0.7547.
     fn strip(line: f64) -> Strip {
         Strip {
             a: Interval::decimal(0.5),
@@ -221,7 +213,6 @@ mod tests {
         }
     }
 
-    /// As near to the line as can be.
     const LINE: Margins = Margins {
         rest: 0.0,
         escape: 0.0,
@@ -238,7 +229,7 @@ mod tests {
 
     #[test]
     fn beyond_the_boundary_nothing_is_proved() {
-        // The line is 0.05 too low, then too high: what lies between it and the boundary stays open.
+        // 0.05 too low, then too high: what lies between the line and the boundary stays open.
         let low = strip(0.7047).margins(Margins::NONE, LINE);
         assert!(low.escape * 0.2953 > 0.05 && low.rest < 1e-6, "{low:?}");
         let high = strip(0.8047).margins(Margins::NONE, LINE);
@@ -265,8 +256,7 @@ mod tests {
             rest: 0.25,
             escape: 0.5,
         };
-        // Proved up to α = 0.375 at one end and 0.5625 at the other, and from 0.75 and 0.875 on; in the middle 0.46875 and
-        // 0.8125.
+        // Up to α = 0.375 at one end and 0.5625 at the other, and from 0.75 and 0.875 on; in the middle 0.46875 and 0.8125.
         let part = Strip {
             psi: [-0.02, 0.0],
             line: [0.5, 0.75],
@@ -283,7 +273,6 @@ mod tests {
         }
     }
 
-    /// What differs between starts of a cell is within what the slopes over the cell allow, along a line that rises, too.
     #[test]
     fn the_set_that_is_followed_holds_all_starts_of_its_cell() {
         let strip = Strip {
