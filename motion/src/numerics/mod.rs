@@ -1,4 +1,4 @@
-//! The tools of [`trialbook::numerics`], and what only motions need: many starts at once ([`batch`]), the times of events
+//! The tools of [`trialbook::numerics`], and what only motions need: many starts at once (`batch`), the times of events
 //! ([`events`]), functions by pieces ([`piecewise`]).
 
 pub(crate) mod batch;
