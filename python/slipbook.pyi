@@ -45,6 +45,7 @@ class _Measured(TypedDict):
     coulomb: bool
     verdict: str
     noise: float
+    assumed: str | None
     zeroed: bool
     normal: bool
     stretches: list[tuple[float, float, Literal["sticks", "slips", "is pushed"]]]
