@@ -122,7 +122,7 @@ class Scenes(unittest.TestCase):
             (lambda: block.with_(speed=3), "`speed` is no word"),
             (lambda: block.on(([0, 1], [0])), "each as long"),
             (lambda: block.on(([0, 1], [0, 0])), "at least 7 rows"),
-            (lambda: block.with_(pull=4).run(), "does not come"),
+            (lambda: block.with_(pull=4).run(), "never stops"),
             (lambda: block.run(5), "unit"),
             (lambda: block.run("1s").at(2), "t = 2 must be between"),
             (lambda: slipbook.find(block, "nu", 0, 1, x=1), "`nu` is no word"),
