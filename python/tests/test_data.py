@@ -6,6 +6,7 @@ import json
 import math
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
 import threading
@@ -82,6 +83,8 @@ class Arrays(unittest.TestCase):
         self.stopped(lambda: slipbook.find(shaken, "mu", 0.01, 0.4, path="10m"))
 
     def stopped(self, run):
+        # In the background a shell has it ignored.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         asked = []
 
         def ask():
