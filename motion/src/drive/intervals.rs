@@ -1,4 +1,4 @@
-//! Intervals at most this long (radians) are not listed.
+//! The list of intervals in which the motion is positive, negative or at rest.
 
 use super::arcs::Mark;
 use std::f64::consts::TAU;
