@@ -4,21 +4,6 @@
 //! rough plane that accelerates, and a particle on a rough turntable. This crate asks of each of its claims:
 //! is it true, how do we know, and what is right where it is not?
 //!
-//! It has two sides that do not see each other:
-//!
-//! - [`paper`] holds the formulas as printed, errors included; [`corrections`] what replaces those that fail.
-//! - [`motion`] knows Newton's law and Coulomb friction and nothing else; [`numerics`] is its tool box.
-//!
-//! In a formula of [`paper`] or [`corrections`] a mistake can be [`seeded`], to see that its trials notice.
-//!
-//! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
-//! proves identities, [`validated`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:
-//! evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the reader's hand, and [`book`] writes all
-//! of it down; [`breaks`] lets its reader break a formula. [`cli`] is the command. Both get from the [`edition`]
-//! what is this paper's own. For parameters of your own there are the calculators of [`solve`].
-//!
-//! What knows no paper is [`trialbook`], and [`motion`] is [`slipbook_motion`]: crates of their own, whose modules stand here under their names.
-//!
 //! # Physics
 //!
 //! A particle on a plane that is shaken, by the values of a function that has no pulse shorter than 0.1; how fast it is, and how
@@ -82,6 +67,23 @@
 //! # }
 //! # Ok::<(), &str>(())
 //! ```
+//!
+//! # How it is made
+//!
+//! It has two sides that do not see each other:
+//!
+//! - [`paper`] holds the formulas as printed, errors included; [`corrections`] what replaces those that fail.
+//! - [`motion`] knows Newton's law and Coulomb friction and nothing else; [`numerics`] is its tool box.
+//!
+//! In a formula of [`paper`] or [`corrections`] a mistake can be [`seeded`], to see that its trials notice.
+//!
+//! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
+//! proves identities, [`validated`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:
+//! evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the reader's hand, and [`book`] writes all
+//! of it down; [`breaks`] lets its reader break a formula. [`cli`] is the command. Both get from the [`edition`]
+//! what is this paper's own. For parameters of your own there are the calculators of [`solve`].
+//!
+//! What knows no paper is [`trialbook`], and [`motion`] is [`slipbook_motion`]: crates of their own, whose modules stand here under their names.
 // What is public is promised.
 #![cfg_attr(not(test), warn(unreachable_pub))]
 // Of what trials compute the figures alone read some.

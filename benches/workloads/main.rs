@@ -31,7 +31,7 @@ fn main() -> ExitCode {
     if std::env::var_os(COMMAND).is_some() {
         return slipbook::cli::run(&slipbook::edition::EDITION);
     }
-    match measured() {
+    match measure_all() {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("{failure}");
@@ -40,7 +40,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn measured() -> Result<(), Failure> {
+fn measure_all() -> Result<(), Failure> {
     let mut criterion = Criterion::default()
         .sample_size(10)
         .warm_up_time(Duration::from_millis(500))

@@ -1,4 +1,4 @@
-// What each explorer asks and shows. `QUESTIONS` in motion/src/explorers/mod.rs says what the questions answer.
+// What each explorer asks and shows. `QUESTIONS` in motion/src/explorers.rs says what the questions answer.
 'use strict';
 
 window.slipbookExplorers = (() => {

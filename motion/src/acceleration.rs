@@ -2,10 +2,7 @@
 
 use super::error::MotionError;
 use super::signal::Signal;
-use crate::numerics::taylor::TERMS;
-
-/// Taylor coefficients by the time, to the order of the integrator.
-pub type Coefficients = [f64; TERMS];
+use crate::numerics::taylor::Coefficients;
 
 /// The acceleration A(t) of the plane in the laboratory, in length/time²; a body is pulled [the other way](super).
 ///
@@ -36,7 +33,7 @@ pub trait Acceleration: Sync {
     }
 }
 
-pub(super) fn known(plane: &dyn Acceleration, t: f64) -> Result<(), MotionError> {
+pub(super) fn check_time(plane: &dyn Acceleration, t: f64) -> Result<(), MotionError> {
     let [from, to] = plane.times();
     let fit = t >= from && t <= to;
     fit.then_some(())
@@ -144,6 +141,7 @@ impl Acceleration for Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::taylor::TERMS;
 
     #[test]
     fn a_value_alone_is_not_taken_for_a_series() {

@@ -9,12 +9,10 @@
 //! θ forgets where it came from in a time q/|f|. Where f hardly changes in that, what is left is one motion, whose θ is as slow
 //! as f: f·n̂ = q θ′ tells it from its own derivative, again and again, each time closer by the part q/|f| of the time in which f
 //! changes. Its power series in t serve for that whole time, to the stop too.
-
-use super::acceleration::Coefficients;
 use crate::numerics::{
     events::roots,
     series::{convolution, product, square, value},
-    taylor::{TERMS, reach},
+    taylor::{Coefficients, TERMS, reach},
 };
 
 pub(super) struct Creep {

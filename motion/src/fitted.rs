@@ -1,14 +1,19 @@
 //! Accelerations that are known by their values alone: from a function, or from a table such as an accelerometer's.
 
+mod cells;
 mod csv;
 mod peer;
 mod when;
 
-pub(crate) use csv::G;
-pub use csv::{Columns, Recording};
+pub use cells::Columns;
+pub(crate) use cells::G;
+pub use csv::Recording;
 
-use super::acceleration::{Acceleration, Coefficients};
-use crate::numerics::{piecewise::interpolate, taylor::TERMS};
+use super::acceleration::Acceleration;
+use crate::numerics::{
+    piecewise::interpolate,
+    taylor::{Coefficients, TERMS},
+};
 use std::cell::Cell;
 
 /// Why values make no acceleration.

@@ -104,11 +104,12 @@ pub mod turntable;
 #[cfg(feature = "trials")]
 pub mod validated;
 
-pub use acceleration::{Acceleration, Coefficients, Plane, Series};
+pub use acceleration::{Acceleration, Plane, Series};
 pub use error::MotionError;
 pub use fitted::{Columns, FitError, Fitted, Recording};
 pub use launch::Launch;
 pub use measure::measure;
+pub use numerics::taylor::Coefficients;
 pub use onset::{Onset, onset};
 pub use particle::{Friction, Line, run, run_to_stop};
 pub use scene::Scene;

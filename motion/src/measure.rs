@@ -348,12 +348,3 @@ fn stretches(sensor: &Sensor, pieces: &[Piece], slips: &[Piece], held: f64) -> V
     }
     list
 }
-
-pub(crate) fn median(numbers: impl Iterator<Item = f64>) -> f64 {
-    let mut all: Vec<_> = numbers.collect();
-    if all.is_empty() {
-        return f64::NAN;
-    }
-    let middle = all.len() / 2;
-    *all.select_nth_unstable_by(middle, f64::total_cmp).1
-}

@@ -9,12 +9,10 @@
 //! f being what drives it and L what friction can take away, per unit of mass. At the start q = 0, so that the
 //! second law demands f·n̂ = 0: sliding starts along f. Both laws together give the power series of q and θ in t,
 //! order by order: the term of order m of f·n̂ contains θₘ only in −|f₀| θₘ, that of q dθ/dt only in m q₁ θₘ.
-
-use super::acceleration::Coefficients;
 use crate::numerics::{
     NumericsError, events,
     series::{product, sin_cos, value},
-    taylor::{TERMS, reach},
+    taylor::{Coefficients, TERMS, reach},
 };
 
 /// A start from sliding speed zero.

@@ -11,11 +11,14 @@ mod tests;
 pub use line::Line;
 
 use super::{
-    acceleration::{Acceleration, Coefficients, known, most_steps},
+    acceleration::{Acceleration, check_time, most_steps},
     error::{MotionError, check, finite},
     trajectory::{Arc, Motion, Phase, PhaseKind, Piece, State},
 };
-use crate::numerics::{series::value, taylor::reach};
+use crate::numerics::{
+    series::value,
+    taylor::{Coefficients, reach},
+};
 
 /// Coulomb friction per unit of mass, in length/time². A number holds as much as it brakes: `0.3 * g`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,7 +78,7 @@ pub fn run(
     until: f64,
 ) -> Result<Motion, MotionError> {
     let run = Run::new(plane, friction.into(), start, until)?;
-    known(plane, until)?;
+    check_time(plane, until)?;
     run.finish(false)
 }
 
@@ -140,7 +143,7 @@ impl<'a> Run<'a> {
         size("speed of the start", start.speed())?;
         let fit = until >= start.t && until <= LARGEST;
         check("until", until, fit, "not before the start, at most 1e50")?;
-        known(plane, start.t)?;
+        check_time(plane, start.t)?;
         let motion = Motion::begin(start, plane.error());
         Ok(Self {
             plane,
@@ -196,7 +199,7 @@ impl<'a> Run<'a> {
             return Err(MotionError::Steps { limit, t });
         }
         if t >= self.plane.times()[1] {
-            known(self.plane, self.until)?;
+            check_time(self.plane, self.until)?;
         }
         let a = self.plane.coefficients(t);
         let size = libm::hypot(a[0][0], a[1][0]);

@@ -1,7 +1,9 @@
 //! Functions of time that know their own Taylor series: what accelerations are made of.
 
-use super::acceleration::Coefficients;
-use crate::numerics::{series, taylor::TERMS};
+use crate::numerics::{
+    series,
+    taylor::{Coefficients, TERMS},
+};
 
 /// A function of the time t, dimensionless or with the unit of its constants.
 #[derive(Debug, Clone, PartialEq)]

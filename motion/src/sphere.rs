@@ -27,13 +27,13 @@ pub use line::{Directed, LineMotion, LineState, Stretch};
 pub use turning::Turning;
 
 use super::{
-    acceleration::{Acceleration, Coefficients},
+    acceleration::Acceleration,
     error::{MotionError, check},
     track::{Part, Track},
 };
 use crate::numerics::{
     series::{arrival, value},
-    taylor::{Step, TERMS},
+    taylor::{Coefficients, Step, TERMS},
 };
 
 /// A homogeneous or hollow sphere and the plane under it.
@@ -144,7 +144,7 @@ impl Sphere {
     ///
     /// # Errors
     /// As for [`run`](Self::run).
-    pub fn run_held(
+    pub(crate) fn run_held(
         &self,
         holding: f64,
         plane: &dyn Acceleration,
@@ -330,7 +330,7 @@ impl BallMotion {
     ///
     /// # Errors
     /// [`MotionError::Numerics`] where the speed has no integral.
-    pub fn track(&self) -> Result<Track<'_>, MotionError> {
+    pub(crate) fn track(&self) -> Result<Track<'_>, MotionError> {
         self.tracked(2)
     }
 

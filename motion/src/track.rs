@@ -205,7 +205,11 @@ impl<'m> Track<'m> {
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a place that is not finite, and for a radius that is not, or negative.
-    pub fn first_beyond(&self, centre: [f64; 2], radius: f64) -> Result<Option<f64>, MotionError> {
+    pub(crate) fn first_beyond(
+        &self,
+        centre: [f64; 2],
+        radius: f64,
+    ) -> Result<Option<f64>, MotionError> {
         for (name, c) in [
             ("x of the centre", centre[0]),
             ("y of the centre", centre[1]),

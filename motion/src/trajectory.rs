@@ -1,14 +1,13 @@
 //! A finished motion: what happened when, and the state at any time in between.
 
 use super::{
-    acceleration::Coefficients,
     error::MotionError,
     track::{Part, Track},
 };
 use crate::numerics::{
     events::roots,
     series::{arrival, change, value},
-    taylor::{Step, TERMS},
+    taylor::{Coefficients, Step, TERMS},
 };
 
 /// State of a particle: on a plane in its frame, on a turntable in the frame that is named.
@@ -294,7 +293,7 @@ impl Motion {
     ///
     /// # Errors
     /// [`MotionError::Numerics`] where the speed has no integral.
-    pub fn track(&self) -> Result<Track<'_>, MotionError> {
+    pub(crate) fn track(&self) -> Result<Track<'_>, MotionError> {
         let parts = self.pieces.iter().filter_map(|piece| match piece {
             Piece::Slide(step) => {
                 let [u, v, t, x, y] = &step.series;

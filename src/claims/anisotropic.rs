@@ -1,5 +1,6 @@
 //! Anisotropic friction: the claims.
 
+mod by_hand;
 pub mod census;
 pub(crate) mod certified;
 mod corners;
@@ -10,7 +11,6 @@ pub(crate) mod exact;
 mod frictions;
 mod mirror;
 pub(crate) mod motions;
-mod numbers;
 pub(crate) mod panels;
 mod regions;
 pub(crate) mod rows;
@@ -18,6 +18,7 @@ pub mod simulated;
 mod slips;
 mod transverse;
 mod transverse_decay;
+mod values;
 
 use prelude::*;
 
@@ -56,5 +57,5 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&numbers::CASES)
-.numbers(&numbers::VALUES);
+.by_hand(&by_hand::CASES)
+.numbers(&values::VALUES);

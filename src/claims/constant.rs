@@ -1,5 +1,6 @@
 //! Constant acceleration: the claims.
 
+mod by_hand;
 mod definitions;
 pub(crate) mod drawn;
 pub mod exact;
@@ -11,7 +12,6 @@ mod hodograph;
 mod incline;
 pub(super) mod launches;
 mod limits;
-mod numbers;
 mod only_constant;
 mod time;
 
@@ -49,4 +49,4 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&numbers::CASES);
+.by_hand(&by_hand::CASES);

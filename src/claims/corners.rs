@@ -18,7 +18,7 @@ const fn negative(letter: &'static str) -> Corner {
 }
 
 /// The corners of each symbol, by its letter.
-pub const CORNERS: &[Corner] = &[
+pub(crate) const CORNERS: &[Corner] = &[
     corner("λ", 0.0, NEAR),
     corner("λ", 1.0 - NEAR, 1.0),
     corner("λ", 1.0, 1.0 + NEAR),

@@ -1,14 +1,15 @@
 //! The turntable: escape: the claims.
 
 pub(crate) mod bounds;
+mod by_hand;
 pub(crate) mod exact;
 pub(crate) mod excepted;
 pub mod growth;
-mod numbers;
 pub mod onset;
 pub(crate) mod steps;
 pub mod straight;
 pub mod trajectories;
+mod values;
 
 use prelude::*;
 
@@ -40,5 +41,5 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&numbers::CASES)
-.numbers(&numbers::VALUES);
+.by_hand(&by_hand::CASES)
+.numbers(&values::VALUES);

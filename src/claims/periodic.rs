@@ -1,12 +1,12 @@
 //! Any periodic acceleration: the claims.
 
+mod by_hand;
 pub(crate) mod chains;
 pub(crate) mod critical_friction;
 mod dissipation;
 pub mod drawn;
 pub(crate) mod drives;
 pub(crate) mod exact;
-mod numbers;
 pub(crate) mod pulse_remarks;
 mod pulses;
 mod rest;
@@ -46,4 +46,4 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&numbers::CASES);
+.by_hand(&by_hand::CASES);

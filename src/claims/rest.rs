@@ -2,15 +2,16 @@
 
 pub(crate) mod approach;
 pub(crate) mod boundary;
+mod by_hand;
 pub(crate) mod certified;
 mod dichotomy;
 pub(crate) mod exact;
 pub(crate) mod excepted;
 pub mod fates;
-mod numbers;
 pub(crate) mod radius;
 pub(crate) mod surfaces;
 pub(crate) mod trajectories;
+mod values;
 
 use prelude::*;
 
@@ -50,5 +51,5 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&numbers::CASES)
-.numbers(&numbers::VALUES);
+.by_hand(&by_hand::CASES)
+.numbers(&values::VALUES);

@@ -2,12 +2,12 @@
 
 mod argument;
 pub(crate) mod attraction;
+mod by_hand;
 pub(crate) mod certified;
 pub(crate) mod chains;
 pub(crate) mod drawn;
 pub(crate) mod exact;
 pub(crate) mod excepted;
-mod numbers;
 mod periodic;
 pub(crate) mod phase_order;
 mod phases;
@@ -20,6 +20,7 @@ mod threshold;
 mod transverse;
 pub(crate) mod transverse_decay;
 mod units;
+mod values;
 
 use prelude::*;
 
@@ -63,5 +64,5 @@ pub(crate) static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&numbers::CASES)
-.numbers(&numbers::VALUES);
+.by_hand(&by_hand::CASES)
+.numbers(&values::VALUES);

@@ -2,15 +2,16 @@
 
 pub(crate) mod angle;
 mod any_drive;
+mod by_hand;
 mod definitions;
 pub(crate) mod driven;
 mod every_drive;
 pub(crate) mod exact;
 pub(crate) mod excepted;
-mod numbers;
 mod rates;
 mod scaling;
 mod spheres;
+mod values;
 
 use prelude::*;
 
@@ -44,5 +45,5 @@ pub(crate) static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&numbers::CASES)
-.numbers(&numbers::VALUES);
+.by_hand(&by_hand::CASES)
+.numbers(&values::VALUES);

@@ -1,6 +1,7 @@
 //! The turntable: equations: the claims.
 
 mod analytic_continuation;
+mod by_hand;
 mod complex;
 mod definitions;
 pub(crate) mod drawn;
@@ -9,7 +10,6 @@ pub(crate) mod exact;
 pub(crate) mod excepted;
 pub(crate) mod fixed;
 mod frames;
-mod numbers;
 pub(crate) mod projections;
 mod rates;
 mod singular_starts;
@@ -56,4 +56,4 @@ pub(crate) static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&numbers::CASES);
+.by_hand(&by_hand::CASES);

@@ -55,7 +55,7 @@ pub(super) fn in_pieces(
     let template = format!("{{bar:40}} {{pos}}/{{len}} {what}  {{eta}} left");
     let bar = progress(range.end - range.start, &template);
     let (mut next, mut size) = (range.start, least);
-    while next < range.end && !stop::asked() {
+    while next < range.end && !stop::is_asked() {
         let begun = Instant::now();
         let end = range.end.min(next.saturating_add(size));
         work(next..end)?;

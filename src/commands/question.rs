@@ -1,8 +1,9 @@
 //! What is asked of a calculator at one point of a grid.
 
+use crate::numerics::error::plain as number;
 use crate::solve::{
-    Curve, Double, Field, Report, SolveError, anisotropic, constant, periodic, rest, sinusoidal,
-    sphere, turntable,
+    Curve, Double, Field, Report, SolveError, Value, anisotropic, constant, periodic, rest,
+    sinusoidal, sphere, turntable,
 };
 
 impl Asked {
@@ -103,6 +104,14 @@ asked! {
     };
     Boundary: rest::BoundaryProblem<Double> = "turntable-boundary",
         rest::BoundaryProblem { alpha: 0.5.into(), psi: 1.0.into() };
+}
+
+pub(super) fn word(value: Value) -> String {
+    match value {
+        Value::Number(x) => number(x),
+        Value::Word(word) => word.to_owned(),
+        Value::Missing => "none".to_owned(),
+    }
 }
 
 #[cfg(test)]

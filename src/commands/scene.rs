@@ -576,13 +576,13 @@ fn found(
     let range = [axis::number(low)?.into(), axis::number(high)?.into()];
     stop::listen()?;
     let at = |x: f64| {
-        if stop::asked() {
+        if stop::is_asked() {
             return Err(SceneError::Together("stopped"));
         }
         words.with(word, &(plain(x) + &unit)).scene()
     };
     let found = find(at, range, (name, wanted));
-    if stop::asked() {
+    if stop::is_asked() {
         complain("slipbook", "stopped: nothing is known of all values");
         return Ok(stop::STOPPED);
     }

@@ -4,13 +4,12 @@ use super::{
     axis::{Axis, Point, is_it_degrees},
     pieces::Stop,
     plot,
-    question::Asked,
+    question::{Asked, word},
     sweep::{self, aligned},
 };
-use crate::numerics::error::plain as number;
 use crate::solve::{
-    DIMENSIONLESS, Double, Field, RADIANS, Report, Value, anisotropic, axes, constant,
-    constant::At, periodic, rest, sinusoidal, sphere, turntable,
+    DIMENSIONLESS, Double, Field, RADIANS, Report, anisotropic, axes, constant, constant::At,
+    periodic, rest, sinusoidal, sphere, turntable,
 };
 use clap::builder::UnknownArgumentValueParser;
 use clap::{Arg, ArgMatches, Args, FromArgMatches, Subcommand};
@@ -387,14 +386,6 @@ impl Solve {
             Format::Csv => say(&sweep::single(report)?)?,
         }
         Ok(0)
-    }
-}
-
-pub(super) fn word(value: Value) -> String {
-    match value {
-        Value::Number(x) => number(x),
-        Value::Word(word) => word.to_owned(),
-        Value::Missing => "none".to_owned(),
     }
 }
 

@@ -3,8 +3,7 @@
 use super::{
     axis::Point,
     pieces::{Stop, end, in_pieces, told},
-    question::Asked,
-    solve::word,
+    question::{Asked, word},
 };
 use crate::numerics::error::plain as number;
 use crate::solve::{Field, Report, SolveError, VERSION, Value, head};

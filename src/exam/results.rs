@@ -129,7 +129,7 @@ pub fn candidates() -> Result<Vec<Candidate>, ResultsError> {
 ///
 /// # Errors
 /// As [`candidates`].
-pub fn circumstances() -> Result<Vec<String>, ResultsError> {
+pub(crate) fn circumstances() -> Result<Vec<String>, ResultsError> {
     let mut seen = Vec::new();
     for (file, text) in FILES {
         let parsed: Result<File, _> = serde_json::from_str(text);
@@ -207,7 +207,7 @@ pub fn kept(marks: &[Mark]) -> Option<Mark> {
 
 /// What it costs to be within `error`: the cheapest run that is, together with the next finer one if there is one; nothing
 /// where none is.
-pub fn cost_within(marks: &[Mark], error: f64) -> Option<f64> {
+pub(crate) fn cost_within(marks: &[Mark], error: f64) -> Option<f64> {
     let within = |n: usize| marks.get(n).is_none_or(|mark| mark.error <= error);
     let fit = (0..marks.len()).filter(|n| within(*n) && within(n + 1));
     fit.map(|n| marks[n].cost).min_by(f64::total_cmp)

@@ -227,14 +227,14 @@ impl Page<'_> {
         self.wait_for("document.fonts.status === 'loaded'")
     }
 
-    pub fn explored(&mut self) -> Seen {
+    pub fn show_explorer(&mut self) -> Seen {
         self.value("document.querySelector('[data-explorer]')?.nextElementSibling.scrollIntoView({ behavior: 'instant' })")?;
-        self.begun()?;
+        self.wait_until_shown()?;
         self.value("scrollTo({ top: 0, behavior: 'instant' })")
             .map(drop)
     }
 
-    pub fn begun(&mut self) -> Seen {
+    pub fn wait_until_shown(&mut self) -> Seen {
         self.wait_for(
             "[...document.querySelectorAll('[data-explorer]')].every(host => host.dataset.shown
                  || location.pathname.endsWith('/print.html'))",

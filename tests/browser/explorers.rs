@@ -338,7 +338,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
         self.wait_for(&format!("{TIME} > 1"))
     }
 
-    fn moved(&mut self, before: &[f64]) -> Seen {
+    fn wait_until_moved(&mut self, before: &[f64]) -> Seen {
         let inputs = "[...host.querySelectorAll('.inputs input')]";
         self.wait_for(&format!(
             "{inputs}.some((input, i) => Number(input.value) !== {before:?}[i])"
@@ -375,7 +375,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
         }
     }
 
-    fn drawn(&mut self) -> Seen<Value> {
+    fn drawing(&mut self) -> Seen<Value> {
         self.value(
             "[...host.querySelectorAll('.curve, .stage path')].map(e => e.getAttribute('d'))",
         )
@@ -406,7 +406,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
         ))
     }
 
-    fn unharmed(&mut self) -> Seen {
+    fn check_unharmed(&mut self) -> Seen {
         let (name, complaints) = (self.name, self.page.complaints());
         let here: String = self.read("location.pathname")?;
         if !complaints.is_empty() || !here.ends_with(&format!("{}.html", page_of(name))) {
@@ -432,7 +432,7 @@ pub fn desk(page: &mut Page, book: &Book) -> Seen {
         }
         sliders(&mut explorer)?;
         states(&mut explorer)?;
-        explorer.unharmed()?;
+        explorer.check_unharmed()?;
     }
     Ok(())
 }
@@ -471,9 +471,9 @@ fn keyboard(explorer: &mut Explorer<'_, '_>) -> Seen {
             "ArrowDown",
             "ArrowDown",
         ] {
-            let drawn = explorer.drawn()?;
+            let drawn = explorer.drawing()?;
             explorer.steps(&format!("hand {plot}"), key)?;
-            if explorer.drawn()? == drawn {
+            if explorer.drawing()? == drawn {
                 return Err(format!("{name}, hand {plot}: {key} draws nothing anew"));
             }
         }
@@ -519,7 +519,7 @@ fn sliders(explorer: &mut Explorer<'_, '_>) -> Seen {
 fn mouse(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     for &plot in explorer.hands() {
-        let (before, drawn) = (explorer.right()?, explorer.drawn()?);
+        let (before, drawn) = (explorer.right()?, explorer.drawing()?);
         let [hand, low, high] = explorer.places(plot)?;
         let share = |s: f64, t: f64| {
             [
@@ -531,7 +531,7 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Seen {
             .page
             .drag(&[hand, share(0.4, 0.4), share(0.6, 0.6)])?;
         let after = explorer.right()?;
-        if after == before || explorer.drawn()? == drawn {
+        if after == before || explorer.drawing()? == drawn {
             return Err(format!(
                 "{name}: dragging the hand of plot {plot} does nothing at {before:?}"
             ));
@@ -588,15 +588,15 @@ pub fn touch(page: &mut Page, book: &Book) -> Seen {
             explorer
                 .page
                 .tap([0.3 * low[0] + 0.7 * high[0], 0.7 * low[1] + 0.3 * high[1]])?;
-            explorer.moved(&before)?;
+            explorer.wait_until_moved(&before)?;
             explorer.right()?;
         }
         let before = explorer.right()?;
         let [x, y] = explorer.body(0)?;
         explorer.page.tap([x + 12.0, y - 9.0])?;
-        explorer.moved(&before)?;
+        explorer.wait_until_moved(&before)?;
         explorer.right()?;
-        explorer.unharmed()?;
+        explorer.check_unharmed()?;
     }
     Ok(())
 }
@@ -647,7 +647,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Seen {
             }
         }
         guess(&mut explorer)?;
-        explorer.unharmed()?;
+        explorer.check_unharmed()?;
     }
     let mut explorer = Explorer::open(page, book, "record", "")?;
     let before = explorer.right()?;
@@ -845,7 +845,7 @@ pub fn addresses(page: &mut Page, book: &Book) -> Seen {
         let mut explorer =
             Explorer::open(page, book, name, "lambda=1e99&rho=&theta=x&q=-7&nonsense=1")?;
         explorer.right()?;
-        explorer.unharmed()?;
+        explorer.check_unharmed()?;
     }
     page.open(&book.address("escape.html#explore-escape?rho=1.1&plot=5"))?;
     page.wait_for("(box => box && box.top >= 0 && box.bottom <= innerHeight)(document.querySelectorAll('.explore-plot')[4]?.matches('.aimed') && document.querySelector('.aimed').getBoundingClientRect())")?;

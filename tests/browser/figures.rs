@@ -15,7 +15,7 @@ pub fn apart(page: &mut Page, book: &Book) -> Seen {
     {
         page.resize(1400, 900)?;
         page.open(&book.address(&format!("{name}.html")))?;
-        page.explored()?;
+        page.show_explorer()?;
         for width in [1400, 390] {
             page.resize(width, 900)?;
             page.value(

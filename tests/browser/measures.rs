@@ -96,7 +96,7 @@ pub fn sliders(page: &mut Page, book: &Book) -> Seen {
     let (mut late, limit) = (Vec::new(), allowed(ANSWER));
     for name in PAGES.map(crate::explorers::name_on) {
         page.open(&book.address(&format!("{}.html", page_of(name))))?;
-        page.explored()?;
+        page.show_explorer()?;
         slow(page, SLOWER)?;
         let found = page.texts(&format!(
             "(async host => {{
@@ -128,7 +128,7 @@ pub fn frames(page: &mut Page, book: &Book) -> Seen {
     let mut late = Vec::new();
     for name in PAGES.map(crate::explorers::name_on) {
         page.open(&book.address(&format!("{}.html", page_of(name))))?;
-        page.explored()?;
+        page.show_explorer()?;
         slow(page, SLOWER)?;
         let half = page.value(
             "(bar => {
@@ -163,7 +163,7 @@ pub fn phone(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(crate::explorers::name_on) {
         page.resize(1400, 900)?;
         page.open(&book.address(&format!("{}.html", page_of(name))))?;
-        page.explored()?;
+        page.show_explorer()?;
         let place = page.value(
             "document.querySelector('[data-explorer]').getBoundingClientRect().top / document.documentElement.scrollHeight",
         )?;

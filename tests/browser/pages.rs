@@ -135,7 +135,7 @@ pub fn folds(page: &mut Page, book: &Book) -> Seen {
     let (mut lengths, mut wrong) = (Vec::new(), Vec::new());
     for name in CHAPTERS {
         page.open(&book.address(&format!("{name}.html")))?;
-        page.explored()?;
+        page.show_explorer()?;
         let height = page.value("document.documentElement.scrollHeight")?;
         lengths.push((name, height.as_f64().unwrap_or(f64::INFINITY) / 900.0));
         wrong.extend(page.texts(
@@ -204,7 +204,7 @@ pub fn lengths(page: &mut Page, book: &Book) -> Seen {
             let places = page.texts("[...document.querySelectorAll('main [id]:is(h2, h3, .erratum, .lemma > p)')].map(place => place.id)")?;
             page.open(&book.address("lookup.html"))?;
             page.open(&format!("{address}#{}", places[2 * places.len() / 3]))?;
-            page.begun()?;
+            page.wait_until_shown()?;
             let found = page.texts(
                 "(async () => {
                     const wait = time => new Promise(done => setTimeout(done, time));
@@ -273,7 +273,7 @@ pub fn front(page: &mut Page, book: &Book) -> Seen {
     // Nothing has to be scrolled to, and no two parts of the strip are called the same.
     page.resize(1400, 900)?;
     page.open(&book.address("index.html"))?;
-    page.explored()?;
+    page.show_explorer()?;
     let below =
         page.value("scrollY + document.querySelector('.front').getBoundingClientRect().bottom")?;
     if below.as_f64().is_none_or(|below| below > 900.0) {

@@ -49,7 +49,7 @@ fn visit(page: &mut Page, book: &Book, name: &str) -> Seen<Visit> {
         page.resize(390, 800)?;
     }
     page.open(&book.address(name))?;
-    page.explored()?;
+    page.show_explorer()?;
     let complaints = page.complaints();
     let places =
         page.texts("[...document.querySelectorAll('[id], a[name]')].map(e => e.id || e.name)")?;

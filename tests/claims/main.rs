@@ -22,7 +22,7 @@ type Test = fn(&Ledger) -> Result<(), Failed>;
 
 const WHOLE: [(&str, Test); 11] = [
     ("verdicts", verdicts),
-    ("recorded", recorded),
+    ("recorded", same_as_recorded),
     ("reading", reading),
     ("variants", wrong_variants),
     ("proofs", wrong_proofs),
@@ -100,7 +100,7 @@ fn verdicts(ledger: &Ledger) -> Result<(), Failed> {
     same_as_snapshot("", "verdicts", &Record::text_of(ledger))
 }
 
-fn recorded(ledger: &Ledger) -> Result<(), Failed> {
+fn same_as_recorded(ledger: &Ledger) -> Result<(), Failed> {
     let told = |of: &Ledger| -> Result<Vec<String>, Failed> {
         let mut errata = of.errata()?;
         // There the record has no measured number.

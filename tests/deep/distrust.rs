@@ -13,12 +13,12 @@ use trialbook::trials::{Claim, Excuse, Topic, attempt::Attempt};
 fn every_trial_notices_mistakes() {
     let variants = PAPER.formulas.variants();
     let topics = PAPER.topics.iter().copied();
-    let wrong = topics.filter_map(|topic| Some((topic.stem, distrusted(topic, &variants).err()?)));
+    let wrong = topics.filter_map(|topic| Some((topic.stem, distrust(topic, &variants).err()?)));
     let wrong: Vec<_> = wrong.collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), String> {
+fn distrust(topic: &Topic, variants: &[Variant]) -> Result<(), String> {
     let ids: Vec<_> = topic.claims().iter().map(|claim| claim.id).collect();
     let ledger = Ledger::try_some(&PAPER, &ids, |_| {});
     let tried = ledger.distrust(variants, Extent::Few, || {});

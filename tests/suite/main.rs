@@ -2,6 +2,7 @@
 
 mod attractors;
 mod breaks;
+mod by_hand;
 mod calculators;
 mod careless;
 mod certified;
@@ -15,7 +16,6 @@ mod explorers;
 mod json;
 mod judge;
 mod motions;
-mod numbers;
 mod one_build;
 mod package;
 mod pages;
@@ -27,6 +27,7 @@ mod structure;
 mod theorems;
 mod trust;
 mod units;
+mod values;
 
 use slipbook::claims::PAPER;
 use slipbook::edition::EDITION;
@@ -55,10 +56,10 @@ static LEDGER: Made<Ledger> = Made(LazyLock::new(|| {
 static BOOK: Made<PathBuf> = Made(LazyLock::new(|| {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
     let job = slipbook(&["--quiet", "--out", out.to_str().expect("a name")]);
-    succeeded(&job).map(|()| out)
+    check_success(&job).map(|()| out)
 }));
 
-fn succeeded(output: &Output) -> Result<(), String> {
+fn check_success(output: &Output) -> Result<(), String> {
     let said = [&output.stdout, &output.stderr].map(|said| String::from_utf8_lossy(said));
     match output.status.code() {
         Some(0) => Ok(()),

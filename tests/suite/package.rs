@@ -1,6 +1,6 @@
 //! The exam as a folder: whole, readable by the commands, and enough for a grader in another language.
 
-use crate::{slipbook, succeeded};
+use crate::{check_success, slipbook};
 use serde_json::Value;
 use slipbook::exam::{TASKS, posed::FIELDS};
 use std::fs;
@@ -13,7 +13,7 @@ fn written() -> (TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("new/exam");
     let output = slipbook(&["exam", "--package", out.to_str().unwrap()]);
-    assert_eq!(succeeded(&output), Ok(()));
+    assert_eq!(check_success(&output), Ok(()));
     (folder, out)
 }
 
@@ -67,7 +67,7 @@ fn every_task_is_a_file_with_a_scene_and_an_answer() {
     assert!(cells > 100, "{cells}");
     let creep = out.join("slip-time.json");
     let output = slipbook(&["scene", creep.to_str().unwrap(), "--json"]);
-    assert_eq!(succeeded(&output), Ok(()));
+    assert_eq!(check_success(&output), Ok(()));
     let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert!((answer["answer"]["t"].as_f64().unwrap() - 2.0 / 7.0).abs() < 1e-11);
 }
@@ -77,7 +77,7 @@ fn what_is_not_ours_stays_and_what_is_goes_as_a_whole() {
     let (_folder, out) = written();
     fs::write(out.join("old.json"), "").unwrap();
     let again = slipbook(&["exam", "--package", out.to_str().unwrap()]);
-    assert_eq!(succeeded(&again), Ok(()));
+    assert_eq!(check_success(&again), Ok(()));
     assert!(!out.join("old.json").exists() && out.join("exam.json").exists());
     for file in ["thesis", ".slipbook"] {
         let folder = tempfile::tempdir().unwrap();
@@ -106,7 +106,7 @@ fn the_example_grades_a_block_in_python() {
             .arg(step)
             .output()
             .unwrap();
-        assert_eq!(succeeded(&output), Ok(()));
+        assert_eq!(check_success(&output), Ok(()));
         let lines = String::from_utf8(output.stdout).unwrap();
         lines
             .lines()

@@ -11,7 +11,7 @@ fn one_thread_and_many_give_the_same_ledger_and_the_same_book() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("book");
     let output = crate::slipbook(&["--json", "--out", out.to_str().unwrap(), "--jobs", "1"]);
-    assert_eq!(crate::succeeded(&output), Ok(()));
+    assert_eq!(crate::check_success(&output), Ok(()));
     let files = |book: &Path| -> BTreeMap<_, _> {
         let files = files_below(book).unwrap().into_iter();
         files

@@ -33,7 +33,7 @@ fn the_record_is_of_these_files() {
     let known = known();
     assert_eq!(known.fault, None);
     let wanted: BTreeSet<_> = known
-        .wanted(&PAPER)
+        .wanted(PAPER.claim_ids())
         .iter()
         .map(|item| item.name.as_str())
         .collect();

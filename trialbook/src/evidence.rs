@@ -89,7 +89,7 @@ impl Route {
     }
 
     /// The fewest points from which evidence by this route counts.
-    pub fn min_points(self) -> usize {
+    pub(crate) fn min_points(self) -> usize {
         if self.is_proof() { 1 } else { 20 }
     }
 

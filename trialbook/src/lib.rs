@@ -1,5 +1,48 @@
 //! Puts the claims of a paper on trial.
 //!
+//! A paper says that a stone falls $s=gt$ in the time $t$. Its motion says something else:
+//!
+//! ```
+//! # #[cfg(feature = "trials")] {
+//! use trialbook::prelude::*;
+//!
+//! fn eq2_way(g: f64, t: f64) -> f64 { g * t }
+//!
+//! let falls = Points::here().within(20, [[1.0, 10.0], [0.1, 2.0]]);
+//! let trial = Trial::motion(Printed, Compared::one("the formula", "the integrated motion"));
+//! let evidence = trial.at(["g", "t"], falls, 20.0, |[g, t]| {
+//!     let law = |_, [_, v]: &[f64; 2]| [*v, g];
+//!     let [way, _] = dop853::end(law, 0.0, [0.0, 0.0], t, 1e-14, 1e-14)?;
+//!     Ok([eq2_way(g, t), way])
+//! });
+//! assert!(evidence.failed > 0);
+//! # }
+//! ```
+//!
+//! An identity is proved, not measured:
+//!
+//! ```
+//! # #[cfg(feature = "trials")] {
+//! use trialbook::exact::{Expr, Proof, Ring};
+//! use trialbook::scalar::Scalar;
+//!
+//! let mut ring = Ring::new();
+//! ring.angle("θ");
+//! let theta = Expr::symbol("θ");
+//! let proof = Proof::of("sin′ = cos", &ring, |p| {
+//!     let sine = p.read("the sine", theta.sin())?;
+//!     let slope = p.derivative("d sin θ/dθ", &sine, &ring.by("θ")?)?;
+//!     let cosine = p.read("the cosine", theta.cos())?;
+//!     p.equal("they are the same", &slope, &cosine)
+//! });
+//! assert!(proof.holds());
+//! # }
+//! ```
+//!
+//! `examples/fall.rs` is a whole paper, with its command and its book.
+//!
+//! # How it is made
+//!
 //! A trial compares what a paper claims with what is found without it, and gives [`evidence`]; the [`ledger`]
 //! judges. A printed formula is written once, over any [`scalar`]; a mistake can be [`seeded`] in it, to see
 //! that its trials notice.

@@ -21,6 +21,6 @@ pub use crate::trials::formulas::{Formulas, formulas_of};
 pub use crate::trials::points::{Points, others};
 pub use crate::trials::read::{File, claims};
 pub use crate::trials::runs::{Runs, Setting, every, only, parts, with_each};
-pub use crate::trials::statement::{Statement, given};
+pub use crate::trials::statement::{Statement, rest_on};
 pub use crate::trials::{Claim, Condition, Correction, Paper, Topic};
 pub use std::process::ExitCode;

@@ -228,7 +228,8 @@ pub struct Page {
 
 impl Page {
     /// The verdicts at a glance.
-    pub const INDEX: Page = Page::of(Part::Read, "index", "Overview", text!("pages/index.md"));
+    pub(crate) const INDEX: Page =
+        Page::of(Part::Read, "index", "Overview", text!("pages/index.md"));
     /// Every claim with its verdict.
     pub const LEDGER: Page = Page::of(
         Part::Check,
@@ -237,16 +238,17 @@ impl Page {
         text!("pages/ledger.md"),
     );
     /// All that is known of each claim.
-    pub const SHEETS: Page = Page::of(
+    pub(crate) const SHEETS: Page = Page::of(
         Part::Check,
         "sheets",
         "The sheets",
         text!("pages/sheets.md"),
     );
     /// What is wrong, with the letters about it.
-    pub const ERRATA: Page = Page::of(Part::Check, "errata", "Errata", text!("pages/errata.md"));
+    pub(crate) const ERRATA: Page =
+        Page::of(Part::Check, "errata", "Errata", text!("pages/errata.md"));
     /// What the verdicts rest on.
-    pub const METHODS: Page = Page::of(
+    pub(crate) const METHODS: Page = Page::of(
         Part::Trust,
         "methods",
         "How a verdict comes about",

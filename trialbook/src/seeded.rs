@@ -22,9 +22,11 @@ mod parts;
 pub mod reading;
 
 #[cfg(feature = "trials")]
+pub(crate) use mistake::is_in_any;
+#[cfg(feature = "trials")]
 pub use {
     corner::Corner,
-    mistake::{Mistake, Place, Seed, is_in, is_in_any, places, with, without},
+    mistake::{Mistake, Place, Seed, is_in, places, with, without},
     number::{Seeded, evaluate},
     parts::{Formula, Parts, Symbol, letters, symbol},
 };

@@ -8,7 +8,7 @@ static ASKED: AtomicBool = AtomicBool::new(false);
 pub const STOPPED: u8 = 130;
 
 /// Whether somebody has asked to stop, since `listen` was called.
-pub fn asked() -> bool {
+pub fn is_asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
 

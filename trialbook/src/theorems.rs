@@ -10,7 +10,7 @@ pub mod source;
 pub mod term;
 
 use crate::data::{Folder, Text};
-use crate::trials::Paper;
+use crate::trials::formulas::Formulas;
 use record::Accepted;
 use source::{Item, Sources};
 use std::collections::{BTreeMap, BTreeSet};
@@ -55,11 +55,11 @@ impl Theorems {
     }
 
     /// What is known of them; read when it is first asked for.
-    pub fn known(&self, paper: &Paper) -> &Known {
+    pub fn known(&self, of: &Formulas) -> &Known {
         self.known.get_or_init(|| {
-            let trees = (paper.formulas.trees)();
-            let own = formulas::definitions(&trees, paper.formulas.corrections);
-            let formulas = formulas::tried(&trees, &paper.formulas);
+            let trees = (of.trees)();
+            let own = formulas::definitions(&trees, of.corrections);
+            let formulas = formulas::tried(&trees, of);
             let files = self.files.texts(".v");
             let texts = files.iter().map(|(path, text)| match path.as_str() {
                 FORMULAS => (FORMULAS, own.as_str()),
@@ -106,9 +106,9 @@ impl Known {
         self.accepts(&format!("{}__printed", named(claim)))
     }
 
-    /// The same of those that belong to no claim.
-    pub fn beside(&self, paper: &Paper) -> Vec<(&Accepted, &Item)> {
-        let claims: BTreeSet<String> = paper.claims().map(|(_, c)| named(c.id)).collect();
+    /// The same of those that belong to none of these claims.
+    pub fn beside<'a>(&self, claims: impl Iterator<Item = &'a str>) -> Vec<(&Accepted, &Item)> {
+        let claims: BTreeSet<String> = claims.map(named).collect();
         let none = |accepted: &&Accepted| {
             let mut parts = accepted.name.split("__");
             parts.next().is_some_and(|name| !claims.contains(name))
@@ -130,22 +130,8 @@ impl Known {
         current.contains(&accepted.name).then_some((accepted, item))
     }
 
-    /// How the formula of a definition is written: `\\text{(13)}`, with a hat where it corrects or adds.
-    pub fn formula(&self, paper: &Paper, name: &str) -> Option<String> {
-        let (claim, printed) = self.formulas.get(name)?;
-        let (_, claim) = paper.find(claim)?;
-        let number = match claim.equation {
-            Some(number) => format!("({number})"),
-            None => claim.title.replace('$', ""),
-        };
-        Some(match printed {
-            true => format!("\\text{{{number}}}"),
-            false => format!("\\widehat{{\\text{{{number}}}}}"),
-        })
-    }
-
     /// Whether the whole of a claim is a theorem.
-    pub fn is_proved(&self, claim: &str) -> bool {
+    pub(crate) fn is_proved(&self, claim: &str) -> bool {
         self.accepts(&named(claim))
     }
 
@@ -154,15 +140,12 @@ impl Known {
         named.any(|accepted| self.current(accepted).is_some())
     }
 
-    /// The theorems for the record: those of claims, and those that chapters bring beside them.
-    pub fn wanted(&self, paper: &Paper) -> Vec<&Item> {
-        let claims: BTreeMap<String, ()> = paper
-            .claims()
-            .map(|(_, claim)| (named(claim.id), ()))
-            .collect();
+    /// The theorems for the record: those of these claims, and those that chapters bring beside them.
+    pub fn wanted<'a>(&self, claims: impl Iterator<Item = &'a str>) -> Vec<&Item> {
+        let claims: BTreeSet<String> = claims.map(named).collect();
         let wanted = |item: &&Item| {
             let mut parts = item.name.split("__");
-            let of_claim = parts.next().is_some_and(|name| claims.contains_key(name));
+            let of_claim = parts.next().is_some_and(|name| claims.contains(name));
             let beside = item.word == "Theorem" && !item.file.contains('/');
             item.is_proved() && (of_claim || beside) && !item.name.ends_with("__occurs")
         };

@@ -3,7 +3,7 @@
 //! On a piece, h is monotone. So the size u = |w| is convex or concave there: it has at most one extremum, where h meets the
 //! friction's level, and its first zero can be bracketed for certain.
 
-use super::{Drive, Friction, intervals::Sign};
+use super::{Drive, Friction, sign::Sign};
 use crate::numerics::{
     piecewise::{Piece, Piecewise, Secant},
     roots::falling_root,

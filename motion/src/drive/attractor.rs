@@ -7,7 +7,8 @@
 use super::{
     Drive, DriveError, DriveState, Friction,
     arcs::{Mark, Walker},
-    intervals::{Interval, Sign, between, canonical, drops_one},
+    intervals::{Interval, between, canonical, drops_one},
+    sign::Sign,
 };
 use std::f64::consts::TAU;
 

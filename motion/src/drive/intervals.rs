@@ -1,42 +1,11 @@
 //! The list of intervals in which the motion is positive, negative or at rest.
 
 use super::arcs::Mark;
+use super::sign::Sign;
 use std::f64::consts::TAU;
 
 /// Intervals at most this long (radians) are not listed: the spacing of numbers near 2π is a tenth of it.
 pub const ZERO_LENGTH: f64 = 1e-14;
-
-/// Direction of motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Sign {
-    /// w < 0.
-    Negative,
-    /// w = 0.
-    Rest,
-    /// w > 0.
-    Positive,
-}
-
-impl Sign {
-    pub(super) fn of(w: f64) -> Self {
-        if w > 0.0 {
-            Sign::Positive
-        } else if w < 0.0 {
-            Sign::Negative
-        } else {
-            Sign::Rest
-        }
-    }
-
-    /// −1, 0 or 1.
-    pub fn factor(self) -> f64 {
-        match self {
-            Sign::Negative => -1.0,
-            Sign::Rest => 0.0,
-            Sign::Positive => 1.0,
-        }
-    }
-}
 
 /// An interval of the phase, with the direction of motion in it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,10 +1,6 @@
 //! What is measured on a periodic motion: its extremes, its mean, and how near it is to another kind.
 
-use super::{
-    DriveState,
-    attractor::Attractor,
-    intervals::{Interval, Sign},
-};
+use super::{DriveState, attractor::Attractor, intervals::Interval, sign::Sign};
 use std::f64::consts::TAU;
 
 /// How near a periodic motion is to one with another list of intervals; infinite where nothing can change so.

@@ -163,10 +163,23 @@ pub(super) const BOWLED: Grid = Grid {
     words: |c| words([("mu", c[0]), ("throw", c[1])]),
 };
 
-/// q and λ₀ of the ratchet.
+/// q and λ₀ of the ratchet: on either side of the borders, in the corners between them and beyond the point Y.
+pub(super) const TEN_POINTS: [[f64; 2]; 10] = [
+    [1.5, 0.3],
+    [1.5, 0.55],
+    [1.5, 0.65],
+    [2.0, 0.45],
+    [2.0, 0.48],
+    [3.0, 0.2],
+    [3.0, 0.32],
+    [3.0, 0.5],
+    [6.0, 0.1],
+    [6.0, 0.165],
+];
+
 pub(super) const TEN: Grid = Grid {
     names: &["q", "lambda0"],
-    points: || super::ratchet::TEN.map(Vec::from).to_vec(),
+    points: || TEN_POINTS.map(Vec::from).to_vec(),
     words: |c| words([("mu", c[1]), ("mu-back", c[0] * c[1])]),
 };
 

@@ -22,20 +22,6 @@ macro_rules! ratchet {
     };
 }
 
-/// On either side of the borders, in the corners between them and beyond the point Y.
-pub(super) const TEN: [[f64; 2]; 10] = [
-    [1.5, 0.3],
-    [1.5, 0.55],
-    [1.5, 0.65],
-    [2.0, 0.45],
-    [2.0, 0.48],
-    [3.0, 0.2],
-    [3.0, 0.32],
-    [3.0, 0.5],
-    [6.0, 0.1],
-    [6.0, 0.165],
-];
-
 pub(super) const ORDERS: Task = Task {
     id: "orders",
     setup: ratchet!(
@@ -50,11 +36,17 @@ pub(super) const ORDERS: Task = Task {
     unit: "",
     motion: || {
         let drive = sine()?;
-        let orders: Result<Vec<_>, _> = TEN.iter().map(|&[q, l]| order(&drive, q, l)).collect();
+        let orders: Result<Vec<_>, _> = posed::TEN_POINTS
+            .iter()
+            .map(|&[q, l]| order(&drive, q, l))
+            .collect();
         Ok(Answer::Order(orders?.join(" ")))
     },
     other: Other::Integrated(|| {
-        let orders: Result<Vec<_>, _> = TEN.iter().map(|&[q, l]| order_when_tilted(q, l)).collect();
+        let orders: Result<Vec<_>, _> = posed::TEN_POINTS
+            .iter()
+            .map(|&[q, l]| order_when_tilted(q, l))
+            .collect();
         Ok(Answer::Order(orders?.join(" ")))
     }),
 };

@@ -2,7 +2,7 @@
 
 use super::{
     Columns, FitError, LARGEST,
-    csv::{of_acceleration, plain, refuse},
+    cells::{of_acceleration, plain, refuse},
 };
 
 type Rows = Vec<(f64, [f64; 2])>;

@@ -1,6 +1,6 @@
 //! Times of the clock, with or without a date, as seconds.
 
-use super::csv::read;
+use super::cells::read;
 
 const WRONG: &str = "no time of the clock that can be read: 10:30:05.25, also behind a date as 2026-01-31 or 31-Jan-2026";
 const MONTHS: [&str; 12] = [

@@ -1,10 +1,11 @@
 //! The plateaus of a slip, the coefficient they have in common, and whether they do.
 
 use super::{
-    Interval, Verdict, median,
+    Interval, Verdict,
     pieces::{BLOCK, Line, Piece, Squares},
     sensor::{SAME, Sensor},
 };
+use crate::numerics::median;
 
 const ROWS: usize = 8;
 /// As a part of its level, from beginning to end.

@@ -1,10 +1,11 @@
 //! The rows of a recording, free of what is known of the sensor's zeros.
 
 use super::{
-    LARGEST, LEAST_ROWS, MeasureError, Settings, median,
+    LARGEST, LEAST_ROWS, MeasureError, Settings,
     pieces::{Line, Piece, cut},
 };
 use crate::fitted::Recording;
+use crate::numerics::median;
 
 /// After the year 2100, counted in seconds from 1970.
 const LATEST: f64 = 1e10;

@@ -147,7 +147,7 @@ impl Piecewise {
     }
 
     /// The piece that holds `at` in [0, 2π), and the distance from its left end.
-    pub fn locate(&self, at: f64) -> (usize, f64) {
+    pub(crate) fn locate(&self, at: f64) -> (usize, f64) {
         let cell = (at / TAU * self.cells.len() as f64) as usize;
         let mut index = self.cells[cell.min(self.cells.len() - 1)];
         while index + 1 < self.pieces.len() && self.pieces[index + 1].start() <= at {

@@ -9,7 +9,7 @@
 
 use super::{
     super::{
-        acceleration::{Acceleration, Coefficients, known},
+        acceleration::{Acceleration, check_time},
         error::{MotionError, check},
         trajectory::{Motion, PhaseKind, Piece, State},
     },
@@ -17,7 +17,7 @@ use super::{
 };
 use crate::numerics::{
     events::{Way, roots},
-    taylor::{TERMS, reach},
+    taylor::{Coefficients, TERMS, reach},
 };
 
 /// A line on a plane.
@@ -61,7 +61,7 @@ impl Line {
             ..*self
         };
         let mut run = Run::new(plane, self.plus, start, until)?;
-        known(plane, until)?;
+        check_time(plane, until)?;
         let [e, f] = line.along;
         let across = start.v[1] * e - start.v[0] * f;
         let fit = across.abs() <= ACROSS * start.speed();

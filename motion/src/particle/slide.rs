@@ -5,7 +5,6 @@
 //! stop is reached only in the limit; once the time left is below the rounding of the time slid, it is added.
 
 use super::{
-    super::acceleration::Coefficients,
     super::creep::creep,
     super::trajectory::{Arc, Piece, SlideStep, State},
     MotionError, Run,
@@ -13,7 +12,7 @@ use super::{
 use crate::numerics::{
     number::Number,
     series::{convolution, product, sqrt, square},
-    taylor::{Control, Integrator, Step, System, TERMS},
+    taylor::{Coefficients, Control, Integrator, Step, System, TERMS},
 };
 
 struct Sliding {

@@ -13,7 +13,6 @@
 //! otherwise what lower orders know.
 
 use super::{
-    super::acceleration::Coefficients,
     super::creep::{pull, velocity},
     MotionError, Run,
     stick::Release,
@@ -21,7 +20,7 @@ use super::{
 use crate::numerics::{
     events::roots,
     series::{convolution, product, square},
-    taylor::{TERMS, reach},
+    taylor::{Coefficients, TERMS, reach},
 };
 
 impl Run<'_> {

@@ -1,14 +1,13 @@
 //! Sticking: v = 0 while |A| ≤ μ_s g.
 
 use super::{
-    super::acceleration::Coefficients,
     super::trajectory::{Piece, State},
     MotionError, Run,
 };
 use crate::numerics::{
     events::{Way, roots},
     series::square,
-    taylor::{TERMS, reach},
+    taylor::{Coefficients, TERMS, reach},
 };
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,11 +1,12 @@
 //! What moves the floor: a sum of pulls, as what lies on it feels them.
 
 use super::{SceneError, directed, quantity, unit_vector};
+use crate::numerics::taylor::Coefficients;
 use std::{cell::RefCell, rc::Rc};
 
 use crate::{
     FitError, Fitted,
-    acceleration::{Acceleration, Coefficients},
+    acceleration::Acceleration,
     numerics::{expression::Formula, taylor::TERMS},
 };
 

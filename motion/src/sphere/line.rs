@@ -4,14 +4,14 @@
 //! between.
 
 use super::{
-    super::acceleration::{Acceleration, Coefficients, known, most_steps},
+    super::acceleration::{Acceleration, check_time, most_steps},
     super::error::{MotionError, finite},
     Sphere, check,
 };
 use crate::numerics::{
     events::{Way, roots},
     series::value,
-    taylor::{TERMS, reach},
+    taylor::{Coefficients, TERMS, reach},
 };
 
 /// `mu` serves forward sliding, another coefficient backward sliding.
@@ -88,7 +88,7 @@ impl Directed {
             check(name, given, fit, "finite, at most 1e50 in absolute value")?;
         }
         check("until", until, until >= from, "not before the start")?;
-        known(plane, from).and(known(plane, until))?;
+        check_time(plane, from).and(check_time(plane, until))?;
         let slip = v - self.sphere.radius * omega;
         let mut state = LineState {
             t: from,

@@ -1,7 +1,7 @@
 //! A motion of the sphere, one piece after the other.
 
 use super::{
-    super::acceleration::{Acceleration, Coefficients, known, most_steps},
+    super::acceleration::{Acceleration, check_time, most_steps},
     super::creep::creep,
     super::error::finite,
     super::onset::onset,
@@ -11,7 +11,7 @@ use super::{
 use crate::numerics::{
     events::{Way, roots},
     series::{arrival, change, square, value},
-    taylor::{Control, Integrator, Step, TERMS, reach},
+    taylor::{Coefficients, Control, Integrator, Step, TERMS, reach},
 };
 
 /// As a part of the largest contact velocity.
@@ -78,7 +78,7 @@ pub(super) fn run(
         )?;
     }
     check("until", until, until >= t, "not before the start")?;
-    known(plane, t).and(known(plane, until))?;
+    check_time(plane, t).and(check_time(plane, until))?;
     let mut c = sphere.contact(start);
     let size = libm::hypot(v[0], v[1]) + sphere.radius * libm::hypot(omega[0], omega[1]);
     if libm::hypot(c[0], c[1]) <= NONE * size {

@@ -1,9 +1,9 @@
 //! Sliding: Newton's and Euler's laws in the time s, dt = |c| ds.
 
-use super::{super::acceleration::Coefficients, Sphere, cross};
+use super::{Sphere, cross};
 use crate::numerics::{
     series::{convolution, product, sqrt, square},
-    taylor::{System, TERMS},
+    taylor::{Coefficients, System, TERMS},
 };
 
 pub(super) struct Sliding<'a> {

@@ -144,7 +144,7 @@ impl Path {
     ///
     /// # Errors
     /// [`MotionError::Numerics`] where the speed has no integral.
-    pub fn track(&self) -> Result<Track<'_>, MotionError> {
+    pub(crate) fn track(&self) -> Result<Track<'_>, MotionError> {
         let omega = match self.frame {
             Frame::Table => 0.0,
             Frame::Laboratory => self.table.omega,

@@ -69,7 +69,7 @@ pub fn run(table: &Table, start: &State, until: f64) -> Result<Path, MotionError
 ///
 /// # Errors
 /// As for [`run`].
-pub fn run_held(
+pub(crate) fn run_held(
     table: &Table,
     holding: f64,
     start: &State,

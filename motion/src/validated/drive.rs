@@ -23,7 +23,7 @@ fn valued(ball: Option<Ball>, bits: usize) -> Result<Ball, CertifiedError> {
 ///
 /// # Errors
 /// None that is known; those of [`refine`].
-pub fn critical_phase(bits: usize) -> Result<Ball, CertifiedError> {
+pub(crate) fn critical_phase(bits: usize) -> Result<Ball, CertifiedError> {
     let pi = Ball::pi(bits + SPARE);
     let arc = |phi: &Ball| {
         let [s, c] = phi.sin_cos();
@@ -67,7 +67,7 @@ pub fn slip_end(
 ///
 /// # Errors
 /// None that is known; those of [`refine`].
-pub fn touching_length(bits: usize) -> Result<Ball, CertifiedError> {
+pub(crate) fn touching_length(bits: usize) -> Result<Ball, CertifiedError> {
     let arc = |x: &Ball| {
         let [s, c] = x.sin_cos();
         Some([x * c - &s, -(x * s)])
@@ -129,7 +129,12 @@ pub enum Edge {
 ///
 /// # Errors
 /// [`CertifiedError::NotProved`] if Newton's method does not prove it from that box.
-pub fn reversals_end(edge: Edge, q: &Ball, near: f64, bits: usize) -> Result<Ball, CertifiedError> {
+pub(crate) fn reversals_end(
+    edge: Edge,
+    q: &Ball,
+    near: f64,
+    bits: usize,
+) -> Result<Ball, CertifiedError> {
     let pi = Ball::pi(bits + 2 * SPARE);
     let arc = |beta: &Ball| {
         let [s, c] = beta.sin_cos();

@@ -209,7 +209,7 @@ mod tests {
         assert_eq!(given(&[exact::E.proof()], || Ok(3)).unwrap(), 3);
     }
 
-    fn refused(proof: Outcome) {
+    fn assert_refused(proof: Outcome) {
         assert!(
             matches!(proof, Err(CertifiedError::False { .. })),
             "{proof:?}"
@@ -218,20 +218,20 @@ mod tests {
 
     #[test]
     fn mutated_statements_are_refused() {
-        refused(prove_b(exact::sides_of_e()));
-        refused(prove_e(exact::sides_of_b()));
+        assert_refused(prove_b(exact::sides_of_e()));
+        assert_refused(prove_e(exact::sides_of_b()));
         let [left, right] = exact::sides_of_b();
         let off = symbol("λ₀") / int(1_000_000);
-        refused(prove_b([left, right + off]));
-        refused(prove_corner(q_y().unwrap() + Interval::point(1e-12)));
+        assert_refused(prove_b([left, right + off]));
+        assert_refused(prove_corner(q_y().unwrap() + Interval::point(1e-12)));
         // A raised by a part in a thousand crosses B.
-        refused(prove_a_lowest(|q| {
+        assert_refused(prove_a_lowest(|q| {
             on_a(q) * Jet::int(1001) / Jet::int(1000)
         }));
         let [left, right] = exact::sides_of_a();
         assert!(!arcs::a_falls([left, -right]).holds());
-        refused(prove_order(on_a, |q| q));
-        refused(prove_order(|q| on_a(q) * q, printed::eq55_lambda0));
+        assert_refused(prove_order(on_a, |q| q));
+        assert_refused(prove_order(|q| on_a(q) * q, printed::eq55_lambda0));
     }
 
     #[test]

@@ -48,9 +48,9 @@ const fn lambda0_of(law: &'static str, change: &'static str) -> Compared {
 
 fn change(
     subject: Subject,
-    wanted: fn(&Row) -> bool,
     (law, stated): Law,
     (name, found): Change,
+    wanted: fn(&Row) -> bool,
 ) -> Evidence {
     let trial = Trial::by(Root, subject, lambda0_of(law, name), ROOT);
     over(&trial, only(rows(), |row| wanted(row)), [stated], found)
@@ -139,7 +139,7 @@ fn off_one(row: &Row) -> bool {
 }
 
 attempts![
-    eq53_root = change(Printed, everywhere, EQ53, REST),
+    eq53_root = change(Printed, EQ53, REST, everywhere),
     eq53_census = sides(Printed, PRINTED, everywhere, REST),
     eq53_limit = far_out(Printed, EQ53, REST),
     a_far_limit = far_out(
@@ -150,7 +150,7 @@ attempts![
         ),
         REST
     ),
-    eq54_root = change(Printed, before_y, EQ54, REVERSAL),
+    eq54_root = change(Printed, EQ54, REVERSAL, before_y),
     eq54_census = sides(Printed, PRINTED, before_y, REVERSAL),
     eq54_ends = {
         let trial = Trial::census(
@@ -165,13 +165,12 @@ attempts![
             Ok([is(!on_b(row.q).is_nan()), is(row.before_y), 1.0])
         })
     },
-    eq55_root = change(Printed, everywhere, EQ55, BACKWARD),
-    eq55_census = sides(Printed, PRINTED, off_one, AS_STRONG),
-    eq55_corrected_root = change(Corrected, before_y, EQ55, BACKWARD),
-    eq55_corrected_census = sides(Corrected, PRINTED, before_y, BACKWARD),
-    eq56_root = change(Printed, everywhere, EQ56, MOTION),
+    eq55_root | eq55_corrected_root = change(EQ55, BACKWARD)((everywhere) | (before_y)),
+    eq55_census | eq55_corrected_census =
+        sides(PRINTED)((off_one, AS_STRONG) | (before_y, BACKWARD)),
+    eq56_root = change(Printed, EQ56, MOTION, everywhere),
     eq56_census = sides(Printed, PRINTED, everywhere, MOTION),
-    e_root = change(Corrected, beyond_y, E, REVERSAL),
+    e_root = change(Corrected, E, REVERSAL, beyond_y),
     e_census = sides(Corrected, CORRECTED, everywhere, REVERSAL),
     e_limit = {
         let trial = Trial::by(

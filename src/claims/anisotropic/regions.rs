@@ -67,9 +67,9 @@ fn all_words(list: Regions) -> Says {
 
 fn one_census(
     subject: Subject,
-    list: (&'static str, fn(f64) -> Regions),
     region: usize,
     own: f64,
+    list: (&'static str, fn(f64) -> Regions),
 ) -> Evidence {
     let (points, list) = list;
     let trial = Trial::census(subject, orders("the claim").over(points));
@@ -97,9 +97,9 @@ fn beside(row: &Row, name: &str, stated: f64, which: usize) -> Pair {
 
 fn ends(
     subject: Subject,
-    (name, list): (&'static str, fn(&Row) -> [f64; 4]),
     region: usize,
     wanted: fn(&Row) -> bool,
+    (name, list): (&'static str, fn(&Row) -> [f64; 4]),
 ) -> Evidence {
     let trial = Trial::by(
         Root,
@@ -221,8 +221,8 @@ pub(super) fn far() -> Evidence {
 }
 
 attempts![
-    first_census = one_census(Printed, AS_PRINTED, 1, 31.0),
-    first_ends = ends(Printed, PRINTED, 1, everywhere),
+    first_census = one_census(Printed, 1, 31.0, AS_PRINTED),
+    first_ends = ends(Printed, 1, everywhere, PRINTED),
     first_outside = {
         let trial = Trial::census(
             Outside,
@@ -237,19 +237,17 @@ attempts![
             Ok([listed_digits()[0], own_digits(motion.intervals())])
         })
     },
-    second_census = one_census(Printed, AS_PRINTED, 2, 312.0),
-    second_ends = ends(Printed, PRINTED, 2, has_second),
-    second_corrected_census = one_census(Corrected, AS_CORRECTED, 2, 312.0),
-    second_corrected_ends = ends(Corrected, CORRECTED, 2, has_second),
+    second_census | second_corrected_census = one_census(2, 312.0)((AS_PRINTED) | (AS_CORRECTED)),
+    second_ends | second_corrected_ends = ends(2, has_second)((PRINTED) | (CORRECTED)),
     between_e_and_c = beyond_e(Corrected),
-    third_census = one_census(Printed, AS_PRINTED, 3, 3212.0),
-    third_ends = ends(Printed, PRINTED, 3, has_third),
-    fourth_census = one_census(Printed, AS_PRINTED, 4, 32.0),
-    fourth_ends = ends(Printed, PRINTED, 4, begins_at_c),
+    third_census = one_census(Printed, 3, 3212.0, AS_PRINTED),
+    third_ends = ends(Printed, 3, has_third, PRINTED),
+    fourth_census = one_census(Printed, 4, 32.0, AS_PRINTED),
+    fourth_ends = ends(Printed, 4, begins_at_c, PRINTED),
     down_to_e = beyond_e(Remark),
-    fourth_ends_beyond = ends(Remark, CORRECTED, 4, begins_below_c),
-    fifth_census = one_census(Printed, AS_PRINTED, 5, 2.0),
-    fifth_ends = ends(Printed, PRINTED, 5, everywhere),
+    fourth_ends_beyond = ends(Remark, 4, begins_below_c, CORRECTED),
+    fifth_census = one_census(Printed, 5, 2.0, AS_PRINTED),
+    fifth_ends = ends(Printed, 5, everywhere, PRINTED),
     diagram,
     corrected_diagram = {
         let trial = Trial::census(

@@ -17,7 +17,7 @@ pub const fn orders(by: &'static str) -> Compared {
 }
 
 /// The start of every motion unless another is said.
-pub const START: DriveState = DriveState { phi: 0.0, w: 0.0 };
+pub(crate) const START: DriveState = DriveState { phi: 0.0, w: 0.0 };
 /// Far more periods than any attractor here takes.
 const MAX_PERIODS: u32 = 200;
 
@@ -25,7 +25,7 @@ const MAX_PERIODS: u32 = 200;
 ///
 /// # Errors
 /// Friction outside its range, a motion that does not become periodic.
-pub fn attractor_from(
+pub(crate) fn attractor_from(
     start: DriveState,
     friction: Friction,
 ) -> Result<Attractor<'static>, Failure> {
@@ -65,7 +65,7 @@ pub fn digits(signs: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// [`digits`] of the signs of a period that is read from anywhere: from its forward motion on, if it has any.
-pub fn from_forward(mut signs: Vec<f64>) -> f64 {
+pub(crate) fn from_forward(mut signs: Vec<f64>) -> f64 {
     let forward = signs.iter().position(|sign| *sign > 0.0);
     signs.rotate_left(forward.unwrap_or(0));
     digits(signs)
@@ -80,12 +80,12 @@ pub fn simulated(q: f64, lambda0: f64) -> Result<f64, Failure> {
 }
 
 /// [`digits`] of the intervals of a motion.
-pub fn own_digits(intervals: &[Interval]) -> f64 {
+pub(crate) fn own_digits(intervals: &[Interval]) -> f64 {
     digits(intervals.iter().map(|interval| interval.sign.factor()))
 }
 
 /// [`digits`] of the regions I to V by the words of the list.
-pub fn listed_digits() -> [f64; 5] {
+pub(crate) fn listed_digits() -> [f64; 5] {
     printed::signs().map(digits)
 }
 
@@ -176,7 +176,7 @@ impl Curves {
 ///
 /// # Errors
 /// (53) without a root.
-pub fn curves_as_printed(q: f64) -> Result<printed::Curves, Failure> {
+pub(crate) fn curves_as_printed(q: f64) -> Result<printed::Curves, Failure> {
     Ok(printed::Curves {
         a: curve_a(q)?,
         b: curve_b(q)?,
@@ -189,7 +189,7 @@ pub fn curves_as_printed(q: f64) -> Result<printed::Curves, Failure> {
 ///
 /// # Errors
 /// A formula without a root.
-pub fn curves_as_corrected(q: f64) -> Result<corrected::Curves, Failure> {
+pub(crate) fn curves_as_corrected(q: f64) -> Result<corrected::Curves, Failure> {
     corrected_by(q, curves_as_printed(q)?)
 }
 
@@ -214,13 +214,13 @@ fn corrected_by(
 pub type Regions = Box<dyn Fn(f64) -> Option<usize>>;
 
 /// The regions at this q by the printed list.
-pub fn printed_list(q: f64) -> Regions {
+pub(crate) fn printed_list(q: f64) -> Regions {
     let curves = where_defined(curves_as_printed(q));
     Box::new(move |lambda0| printed::region(lambda0, curves.as_ref()?))
 }
 
 /// The regions at this q by the corrected list.
-pub fn corrected_list(q: f64) -> Regions {
+pub(crate) fn corrected_list(q: f64) -> Regions {
     let curves = where_defined(curves_as_corrected(q));
     Box::new(move |lambda0| corrected::region(lambda0, curves.as_ref()?))
 }
@@ -263,7 +263,7 @@ impl Changes {
 ///
 /// # Errors
 /// As [`attractor_from`].
-pub fn last_backward(q: f64) -> Result<f64, Failure> {
+pub(crate) fn last_backward(q: f64) -> Result<f64, Failure> {
     change(q, 1e-9, START, backward)
 }
 
@@ -289,7 +289,7 @@ pub fn change(
 }
 
 /// Whether there is no interval of rest.
-pub fn restless(list: &[Interval]) -> bool {
+pub(crate) fn restless(list: &[Interval]) -> bool {
     !list.iter().any(|i| i.sign == Sign::Rest)
 }
 
@@ -305,7 +305,7 @@ pub fn reverses(list: &[Interval]) -> bool {
 ///
 /// # Errors
 /// Those of `holds`; the same answer at both ends.
-pub fn bisect(
+pub(crate) fn bisect(
     low: f64,
     high: f64,
     mut holds: impl FnMut(f64) -> Result<bool, Failure>,
@@ -332,7 +332,7 @@ pub fn bisect(
 ///
 /// # Errors
 /// As [`attractor_from`].
-pub fn simulated_y(start: DriveState) -> Result<f64, Failure> {
+pub(crate) fn simulated_y(start: DriveState) -> Result<f64, Failure> {
     bisect(2.0, 12.0, |q| {
         let motion = attractor_from(start, Friction::new(1.0 / q, 1.0)?)?;
         let forward = motion.intervals().iter().find(|i| i.sign == Sign::Positive);
@@ -344,7 +344,7 @@ pub fn simulated_y(start: DriveState) -> Result<f64, Failure> {
 ///
 /// # Errors
 /// As [`simulated_y`].
-pub fn own_y() -> Result<f64, Failure> {
+pub(crate) fn own_y() -> Result<f64, Failure> {
     static Y: Runs<f64> = Runs::new(|| simulated_y(START));
     Y.get().copied()
 }

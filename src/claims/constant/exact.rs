@@ -12,7 +12,6 @@ pub(crate) mod sliding;
 mod tests;
 
 use super::prelude::*;
-pub use alignment::{AGAINST, ALIGNS};
 pub use cases::*;
 pub use sliding::*;
 
@@ -174,7 +173,7 @@ fn definitions() -> [Expr; 5] {
 
 /// (3) to (5) by the use made of them.
 /// With (3) to (5), (1) becomes (6) and (7).
-pub const DEFINED: Statement<[Expr; 5]> = Statement::new(
+pub(crate) const DEFINED: Statement<[Expr; 5]> = Statement::new(
     Printed,
     Compared::one("(1) in the symbols (3) to (5)", "(6) and (7)"),
     definitions,

@@ -7,10 +7,12 @@ use super::prelude::*;
 fn senses(
     subject: Subject,
     route: Route,
-    compared: Compared,
-    stated: f64,
+    found: &'static str,
     velocity: impl Fn(f64, [f64; 2], [f64; 2]) -> Result<[f64; 2], Failure>,
+    says: &'static str,
+    stated: f64,
 ) -> Evidence {
+    let compared = Compared::constant(says, found);
     let launches = Points::here().within(30, [[0.0, 0.8], [-3.0, 3.0], [-3.0, 3.0]]);
     Trial::by(route, subject, compared, NONE).at(
         ["λ", "angle of A", "angle of v₀"],
@@ -56,28 +58,18 @@ const ON_THE_PLANE: &str = r"the sign of $\bm v\cdot\bm A$ in the motion at $t=5
 const AGAINST: &str = r"the expected $-1$, for against $\bm A$";
 
 attempts![
-    along = senses(
-        Printed,
-        Census,
-        Compared::constant(r"the expected 1, for along $\bm A$", ON_THE_PLANE),
-        printed::s21_late_sense(),
-        by_motion
-    ),
-    against = senses(
-        Corrected,
-        Census,
-        Compared::constant(AGAINST, ON_THE_PLANE),
-        corrected::late_sense(),
-        by_motion
+    along | against = senses(Census, ON_THE_PLANE, by_motion)(
+        (
+            r"the expected 1, for along $\bm A$",
+            printed::s21_late_sense()
+        ) | (AGAINST, corrected::late_sense())
     ),
     against_in_the_laboratory = senses(
         Corrected,
         Integration,
-        Compared::constant(
-            AGAINST,
-            r"the sign of $(\bm V-\bm U)\cdot\bm A$ in the laboratory, where friction alone acts,",
-        ),
-        corrected::late_sense(),
-        in_the_laboratory
+        r"the sign of $(\bm V-\bm U)\cdot\bm A$ in the laboratory, where friction alone acts,",
+        in_the_laboratory,
+        AGAINST,
+        corrected::late_sense()
     )
 ];

@@ -129,7 +129,7 @@ fn eq131(law: Expr) -> Proof {
 pub(crate) fn eq126(formula: Expr) -> Proof {
     let ring = Ring::of(["A", "α", "ψ"]);
     Proof::of("(126): dα/dτ near α = 0", &ring, |p| {
-        given(p, &[&turntable::EQ114, &turntable::EQ124])?;
+        rest_on(p, &[&turntable::EQ114, &turntable::EQ124])?;
         let small = Series::monomial(Rational::int(1), 1, 6);
         let values = [("α", &small)];
         let angle = p.expand("ψ₁ by (124)", motion::eq124_psi1::tree(), &values, ("α", 4))?;
@@ -148,7 +148,7 @@ pub(crate) fn eq138(formula: Expr) -> Proof {
     ring.symbol("A");
     ring.hyperbolic("α");
     Proof::of("d(A²/2)/dτ = ds/dτ, whatever A and α are", &ring, |p| {
-        given(p, &[&turntable::EQ113])?;
+        rest_on(p, &[&turntable::EQ113])?;
         let [a, alpha] = symbols(["A", "α"]);
         let half = p.read("(138)", formula)?;
         let rate = p.read("dA/dτ by (113)", motion::eq113_a_rate::tree())?;
@@ -167,7 +167,7 @@ fn never_decreases(formula: Expr) -> Proof {
     ring.hyperbolic("α");
     ring.hyperbolic("s");
     Proof::of("A never decreases", &ring, |p| {
-        given(p, &[&turntable::EQ113, &turntable::EQ114])?;
+        rest_on(p, &[&turntable::EQ113, &turntable::EQ114])?;
         let [a, alpha, psi, s] = symbols(["A", "α", "ψ", "s"]);
         let half = (alpha / 2).exp();
         let factors = (half - 1) * (half + 1) * (half.squared() + 1);

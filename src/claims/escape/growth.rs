@@ -61,19 +61,19 @@ pub fn exponent(escape: &Escape, quantity: Quantity) -> Result<(f64, f64), Failu
 pub type Named = (&'static str, Quantity);
 
 /// α − ½ ln τ.
-pub const EXCESS: Named = (r"$\alpha-\frac12\ln\tau$", |l| {
+pub(crate) const EXCESS: Named = (r"$\alpha-\frac12\ln\tau$", |l| {
     alpha(&l.state) - 0.5 * libm::log(l.tau)
 });
 /// α − ⅓ ln A.
-pub const ALPHA_BY_A: Named = (r"$\alpha-\frac13\ln A$", |l| {
+pub(crate) const ALPHA_BY_A: Named = (r"$\alpha-\frac13\ln A$", |l| {
     alpha(&l.state) - libm::log(a(&l.state)) / 3.0
 });
 /// τ dα/dτ.
-pub const ALPHA_RATE: Named = (r"$\tau\,\mathrm d\alpha/\mathrm d\tau$", |l| {
+pub(crate) const ALPHA_RATE: Named = (r"$\tau\,\mathrm d\alpha/\mathrm d\tau$", |l| {
     l.tau * l.alpha_rate
 });
 /// dA/dτ over A^(1/3).
-pub const A_RATE: Named = (r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$", |l| {
+pub(crate) const A_RATE: Named = (r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$", |l| {
     l.a_rate / libm::cbrt(a(&l.state))
 });
 /// cosh α cosh 2α over A, where (129) has 1.
@@ -91,7 +91,7 @@ const WINDING: Named = (
 );
 
 /// (128) times τ.
-pub const EQ128: Named = (r"$\tau$ times (128)", |l| {
+pub(crate) const EQ128: Named = (r"$\tau$ times (128)", |l| {
     l.tau * printed::eq128_alpha_rate(alpha(&l.state), a(&l.state))
 });
 const CORRECTED128: Named = (r"$\tau(\sqrt2/\cosh2\alpha-\cosh\alpha/A)$", |l| {
@@ -126,7 +126,7 @@ pub const DISTANCE: Power = Power {
     ..SPEED
 };
 /// s.
-pub const WAY: Power = Power {
+pub(crate) const WAY: Power = Power {
     symbol: "$s$",
     power: 3.0,
     rest: r" over $\tau^3$",
@@ -142,7 +142,7 @@ pub const SIZE: Power = Power {
     }),
 };
 /// π/2 − ψ.
-pub const LAG: Power = Power {
+pub(crate) const LAG: Power = Power {
     symbol: r"$\pi/2-\psi$",
     power: -1.0,
     rest: r" times $\tau$, at $\tau=10^8$,",
@@ -150,7 +150,7 @@ pub const LAG: Power = Power {
 };
 
 /// The limits of p/τ², A/τ^(3/2) and (π/2 − ψ) τ, as corrected.
-pub fn corrected_limits() -> [f64; 3] {
+pub(crate) fn corrected_limits() -> [f64; 3] {
     let [speed, size] = [
         SPEED.prefactor(corrected::rho),
         SIZE.prefactor(corrected::a),
@@ -158,7 +158,7 @@ pub fn corrected_limits() -> [f64; 3] {
     [speed, size, LAG.prefactor(corrected::lag)]
 }
 /// The first two as printed.
-pub fn printed_limits() -> [f64; 2] {
+pub(crate) fn printed_limits() -> [f64; 2] {
     [printed::eq135_p(1.0), printed::eq132_a(1.0)]
 }
 
@@ -168,7 +168,7 @@ impl Power {
     }
 
     /// The coefficient of (ln τ)/τ, over the limit: the law holds in a time that is late.
-    pub fn corrected_log(&self) -> f64 {
+    pub(crate) fn corrected_log(&self) -> f64 {
         -self.power * corrected::delay::<f64>()
     }
 
@@ -178,7 +178,7 @@ impl Power {
     }
 
     fn corrected(&self, stated: &'static str, formula: fn(f64) -> f64) -> Evidence {
-        limits(stated, Corrected, self.over, self.prefactor(formula))
+        limits(Corrected, self.over, stated, self.prefactor(formula))
     }
 
     fn exponent(&self, law: &'static str, subject: Subject, formula: fn(f64) -> f64) -> Evidence {
@@ -235,7 +235,7 @@ fn tends(
 }
 
 /// What is stated of every escape, one value for all, against the limit of what its motion does.
-pub fn limits(stated: &'static str, subject: Subject, named: Named, value: f64) -> Evidence {
+pub fn limits(subject: Subject, named: Named, stated: &'static str, value: f64) -> Evidence {
     tends([stated, "", ""], subject, named, |_| value)
 }
 
@@ -244,7 +244,7 @@ fn followed(flight: &Escape, formula: Quantity) -> f64 {
     limit(flight, formula).map_or(f64::NAN, |limit| limit.value)
 }
 
-fn following((stated, formula): Named, subject: Subject, named: Named) -> Evidence {
+fn following(subject: Subject, named: Named, (stated, formula): Named) -> Evidence {
     tends([stated, "", ""], subject, named, |flight| {
         followed(flight, formula)
     })
@@ -259,55 +259,45 @@ fn sides(ratio: &'static str, formula: Quantity) -> Evidence {
 }
 
 attempts![
-    eq128_limit = following(EQ128, Printed, ALPHA_RATE),
-    corrected128_limit = following(CORRECTED128, Corrected, ALPHA_RATE),
+    eq128_limit | corrected128_limit = following(ALPHA_RATE)((EQ128) | (CORRECTED128)),
     eq129_limit = sides(PRODUCT.0, |l| printed::eq129_a(alpha(&l.state))
         / a(&l.state)),
     corrected129_limit = limits(
-        r"$3\sqrt2/4$",
         Corrected,
         PRODUCT,
+        r"$3\sqrt2/4$",
         corrected::product_over_a()
     ),
-    eq130_limit = limits(
-        r"(130) less $\frac13\ln A$",
-        Printed,
-        ALPHA_BY_A,
-        printed::eq130_alpha(LATE) - libm::log(LATE) / 3.0
+    eq130_limit | corrected130_limit = limits(ALPHA_BY_A)(
+        (
+            r"(130) less $\frac13\ln A$",
+            printed::eq130_alpha(LATE) - libm::log(LATE) / 3.0
+        ) | (
+            r"$\frac13\ln(3\sqrt2)$",
+            corrected::alpha_by_a(LATE) - libm::log(LATE) / 3.0
+        )
     ),
-    corrected130_limit = limits(
-        r"$\frac13\ln(3\sqrt2)$",
-        Corrected,
-        ALPHA_BY_A,
-        corrected::alpha_by_a(LATE) - libm::log(LATE) / 3.0
-    ),
-    eq131_limit = limits(
-        "(131) over $A^{1/3}$",
-        Printed,
-        A_RATE,
-        printed::eq131_a_rate(LATE) / libm::cbrt(LATE)
-    ),
-    corrected131_limit = limits(
-        r"$\frac12(3\sqrt2)^{1/3}$",
-        Corrected,
-        A_RATE,
-        corrected::a_rate(LATE) / libm::cbrt(LATE)
+    eq131_limit | corrected131_limit = limits(A_RATE)(
+        (
+            "(131) over $A^{1/3}$",
+            printed::eq131_a_rate(LATE) / libm::cbrt(LATE)
+        ) | (
+            r"$\frac12(3\sqrt2)^{1/3}$",
+            corrected::a_rate(LATE) / libm::cbrt(LATE)
+        )
     ),
     eq132_limit = SIZE.printed("(132)", printed::eq132_a),
     eq132_exponent = SIZE.exponent("(132)", Printed, printed::eq132_a),
     corrected132_limit = SIZE.corrected("$2^{1/4}/3$", corrected::a),
     corrected132_delay = SIZE.delay(r"$-9\sqrt2/8$"),
-    eq133_limit = limits(
-        r"(133) less $\frac12\ln\tau$",
-        Printed,
-        EXCESS,
-        printed::eq133_alpha(LATE) - 0.5 * libm::log(LATE)
-    ),
-    corrected133_limit = limits(
-        r"$\frac12\ln\sqrt2$",
-        Corrected,
-        EXCESS,
-        corrected::alpha(LATE) - 0.5 * libm::log(LATE)
+    eq133_limit | corrected133_limit = limits(EXCESS)(
+        (
+            r"(133) less $\frac12\ln\tau$",
+            printed::eq133_alpha(LATE) - 0.5 * libm::log(LATE)
+        ) | (
+            r"$\frac12\ln\sqrt2$",
+            corrected::alpha(LATE) - 0.5 * libm::log(LATE)
+        )
     ),
     eq134_exponent = LAG.exponent("(134)", Printed, printed::eq134_lag),
     eq134_limit = LAG.printed("(134)", printed::eq134_lag),
@@ -322,7 +312,7 @@ attempts![
     eq136_exponent = DISTANCE.exponent("(136)", Printed, printed::eq136_rho),
     corrected136_limit = DISTANCE.corrected(r"$1/(3\sqrt2)$", corrected::rho),
     corrected136_delay = DISTANCE.delay(r"$-3\sqrt2/2$"),
-    winding_limit = limits(r"$\sqrt2$", Remark, WINDING, corrected::winding()),
+    winding_limit = limits(Remark, WINDING, r"$\sqrt2$", corrected::winding()),
     eq137_limit = WAY.printed("(137)", printed::eq137_s),
     eq137_exponent = WAY.exponent("(137)", Printed, printed::eq137_s),
     corrected137_limit = WAY.corrected(r"$1/(9\sqrt2)$", corrected::s),

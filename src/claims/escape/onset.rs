@@ -119,7 +119,7 @@ fn trend(energies: &[f64], [p, alpha, a]: [f64; 3]) -> f64 {
 }
 
 /// ψ over ψ₁, which both vanish.
-pub fn relaxed_ratio() -> Evidence {
+pub(crate) fn relaxed_ratio() -> Evidence {
     let trial = Trial::by(
         Limit,
         Remark,
@@ -208,23 +208,23 @@ attempts![
         ])
     }),
     alpha_by_a_grows = limits(
-        r"the factor that (130) has before $\ln A$",
         Printed,
         (r"$\mathrm d\alpha/\mathrm d\ln A$", |l| {
             l.alpha_rate * SIZE.over.1(l) / A_RATE.1(l)
         }),
+        r"the factor that (130) has before $\ln A$",
         factor(printed::eq130_alpha)
     ),
     alpha_grows = limits(
-        r"the factor of $\ln\tau$ in (133)",
         Printed,
         ALPHA_RATE,
+        r"the factor of $\ln\tau$ in (133)",
         factor(printed::eq133_alpha)
     ),
     psi_goes_upright = limits(
-        "the limit of (134)",
         Printed,
         (r"$\psi$", |l| FRAC_PI_2 - LAG.over.1(l)),
+        "the limit of (134)",
         FRAC_PI_2 - printed::eq134_lag(LATE * LATE)
     ),
     never_decreases_way = Trial::motion(
@@ -313,7 +313,7 @@ attempts![
         })
     },
     above_one_within = above_one(Within),
-    a_grows = limits("$2^{1/4}/3$", Within, SIZE.over, corrected::a(1.0)),
+    a_grows = limits(Within, SIZE.over, "$2^{1/4}/3$", corrected::a(1.0)),
     straight_stops = Trial::by(
         Integration,
         Outside,

@@ -44,7 +44,7 @@ impl StraightIn {
 }
 
 /// The time left to a stop that is near: at ψ = π the deceleration is 1 + ρ.
-pub fn time_to_stop(state: &Intrinsic) -> f64 {
+pub(crate) fn time_to_stop(state: &Intrinsic) -> f64 {
     state.p() / (1.0 + state.rho())
 }
 
@@ -78,10 +78,10 @@ pub fn straight_in(rho: f64, p: f64) -> Result<StraightIn, MotionError> {
 }
 
 /// Starts with A > 1 that come straight in, and stop beyond ρ = 1.
-pub static BEYOND_ONE: Runs<Vec<StraightIn>> = Runs::new(|| from(1.3, 2.5));
+pub(crate) static BEYOND_ONE: Runs<Vec<StraightIn>> = Runs::new(|| from(1.3, 2.5));
 
 /// Starts that come straight in and stay at rest.
-pub static WITHIN_ONE: Runs<Vec<StraightIn>> = Runs::new(|| from(0.02, 0.95));
+pub(crate) static WITHIN_ONE: Runs<Vec<StraightIn>> = Runs::new(|| from(0.02, 0.95));
 
 fn from(nearest: f64, farthest: f64) -> Result<Vec<StraightIn>, Failure> {
     let mut points = Points::here();

@@ -119,10 +119,10 @@ impl Escape {
 }
 
 /// Escapes from A > 1.
-pub static ESCAPES: Runs<Vec<Escape>> = Runs::new(all_escapes);
+pub(crate) static ESCAPES: Runs<Vec<Escape>> = Runs::new(all_escapes);
 
 /// Others of the same kind.
-pub static OTHER_ESCAPES: Runs<Vec<Escape>> = Runs::new(|| others(all_escapes));
+pub(crate) static OTHER_ESCAPES: Runs<Vec<Escape>> = Runs::new(|| others(all_escapes));
 
 fn all_escapes() -> Result<Vec<Escape>, Failure> {
     let mut points = Points::here();
@@ -163,10 +163,10 @@ pub fn escape(launch: Launch) -> Result<Escape, MotionError> {
 }
 
 /// Launches with p < ρ of every kind, followed to their rest or to τ = 10⁴.
-pub static FLIGHTS: Runs<Vec<Flight>> = Runs::new(all_flights);
+pub(crate) static FLIGHTS: Runs<Vec<Flight>> = Runs::new(all_flights);
 
 /// Others of the same kinds.
-pub static OTHER_FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| others(all_flights));
+pub(crate) static OTHER_FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| others(all_flights));
 
 fn all_flights() -> Result<Vec<Flight>, Failure> {
     let mut points = Points::here();
@@ -205,11 +205,11 @@ pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, Failure>> {
 }
 
 /// Others of the same kinds.
-pub static OTHERS_RELAXED: Runs<Vec<Relaxed>> = Runs::new(|| others(all_relaxed));
+pub(crate) static OTHERS_RELAXED: Runs<Vec<Relaxed>> = Runs::new(|| others(all_relaxed));
 
 /// Launches with a ψ of the order of α, so that their ratio has relaxed too. For A < 0.7 it takes too long to be seen, and
 /// for A < ½ for ever.
-pub static RELAXED_RATIOS: Runs<Vec<Relaxed>> =
+pub(crate) static RELAXED_RATIOS: Runs<Vec<Relaxed>> =
     Runs::new(|| launched(0.7, |alpha, points| alpha * points.uniform(-5.0, 5.0)));
 
 fn all_relaxed() -> Result<Vec<Relaxed>, Failure> {

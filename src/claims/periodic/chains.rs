@@ -4,6 +4,7 @@
 use super::exact::{EQ44, EQ46};
 use super::prelude::*;
 use crate::claims::general::chains::STOPS;
+use crate::claims::general::two_frames::eq2_proof;
 use crate::corrections::periodic as corrected;
 use crate::paper::sinusoidal::eq26_rate;
 
@@ -33,6 +34,76 @@ pub(super) fn with_sign(p: &mut Prover<'_>, sign: i64) {
     );
 }
 
+/// The drive in the place of the sine, any number from −1 to 1.
+pub(super) fn h() -> Expr {
+    symbol("ψ").sin()
+}
+
+/// By (26) two velocities under one h come no farther apart, and closer by 2λ₀ while they have opposite signs.
+pub(super) fn never_part(rate: Expr) -> Proof {
+    Proof::for_both_signs(|sign| {
+        let ring = || -> Result<Ring, ExactError> {
+            let mut ring = Ring::new();
+            ring.symbol("λ₀");
+            ring.angle("ψ");
+            for (name, sign) in [("𝔴", sign), ("𝔴₁", sign), ("𝔴₂", -sign)] {
+                let w = ring.symbol(name);
+                ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
+            }
+            Ok(ring)
+        };
+        Proof::in_ring(
+            "Two velocities under one drive h along the line",
+            ring(),
+            |p| {
+                p.shows("By (26) with any h, |h| ≤ 1, for the sine: the distance of two velocities along x stays while they have the same sense, falls at the rate 2λ₀ while they have opposite ones, and does not grow while one particle rests.");
+                with_sign(p, sign);
+                let [lambda0, same, other] = symbols(["λ₀", "𝔴₁", "𝔴₂"]);
+                p.vanishes("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
+                let signed = int(sign);
+                let closer = signed * (rate - rate.with("𝔴", other));
+                p.identity(
+                    ("The rate of the distance of 𝔴 from 𝔴₂", closer),
+                    ("", -(2 * lambda0)),
+                )?;
+                p.identity(
+                    ("That of its distance from 0", signed * rate),
+                    (
+                        "not positive while another particle rests, as |h| ≤ λ₀ then",
+                        signed * h() - lambda0,
+                    ),
+                )
+            },
+        )
+    })
+}
+
+pub(super) fn slows(law: Expr) -> Proof {
+    let ring = || -> Result<Ring, ExactError> {
+        let mut ring = Ring::new();
+        let [_, vx, vy] = ring.symbols(["λ₀", "v_x", "v_y"]);
+        ring.angle("ψ");
+        ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
+        Ok(ring)
+    };
+    Proof::in_ring("The speed under h and friction", ring(), |p| {
+        p.shows("Under a drive h along x, whatever v_y is: dv/dφ = h v_x/v − λ₀, which is |h| − λ₀ at most.");
+        p.rests_on(&eq2_proof(law))?;
+        let [lambda0, vx, vy] = symbols(["λ₀", "v_x", "v_y"]);
+        let speed = (vx.squared() + vy.squared()).sqrt();
+        let in_units = law.with("μ", lambda0).with("g", int(1));
+        let driven = in_units.with("A_x", -h()).with("A_y", int(0));
+        p.identity(("dv/dφ by (2)", driven), ("", h() * vx / speed - lambda0))?;
+        p.identity(
+            ("1 − (v_x/v)²", 1 - (vx / speed).squared()),
+            (
+                "a square, so that v_x/v is 1 at most",
+                (vy / speed).squared(),
+            ),
+        )
+    })
+}
+
 /// λ₀ > 1: rest.
 pub(crate) const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::shown(
     Printed,
@@ -43,7 +114,7 @@ pub(crate) const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::shown
 
 fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
     Proof::in_ring("Very large friction: rest", ring(sign), |p| {
-        given(p, &[&STOPS])?;
+        rest_on(p, &[&STOPS])?;
         let [psi, start] = symbols(["ψ", "𝔴₀"]);
         with_sign(p, sign);
         let signed = int(sign);
@@ -223,7 +294,7 @@ fn nonzero_again(rate: Expr, h: [Expr; 4], critical: Expr, again: Expr, sign: i6
                 -(int(sign) * lambda0),
             ),
         )?;
-        given(p, &[&EQ44, &EQ46])?;
+        rest_on(p, &[&EQ44, &EQ46])?;
         let [_, stop] = printed::eq44_ends::tree();
         let excess = pi() * (lambda0 - critical) / lambda0;
         p.identity(
@@ -260,3 +331,18 @@ attempts![
         |(rate, pulses)| Proof::for_both_signs(|sign| extremes(rate, pulses, sign))
     )
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::general::two_frames::eq2;
+
+    /// The friction of (26) is as strong at every velocity.
+    #[test]
+    fn a_friction_that_grows_with_the_velocity_is_refused() {
+        assert!(never_part(rate()).holds());
+        assert!(!never_part(rate() - symbol("λ₀") * symbol("𝔴")).holds());
+        assert!(slows(eq2()).holds());
+        assert!(!slows(eq2() - symbol("v_x") * symbol("g")).holds());
+    }
+}

@@ -3,82 +3,12 @@
 //!
 //! H is an antiderivative of h, and c its median: H is above c for half of each period at most, and below c for half at most.
 
-use super::chains::{rate, with_sign};
+use super::chains::{h, never_part, rate, slows, with_sign};
 use super::prelude::*;
 use super::step_drive::CHANGES;
 use crate::claims::general::contraction::never_farther_apart;
 use crate::claims::general::strong_drives::MOVES;
-use crate::claims::general::two_frames::{eq2, eq2_proof};
-
-/// The drive in the place of the sine, any number from −1 to 1.
-fn h() -> Expr {
-    symbol("ψ").sin()
-}
-
-/// By (26) two velocities under one h come no farther apart, and closer by 2λ₀ while they have opposite signs.
-pub(super) fn never_part(rate: Expr) -> Proof {
-    Proof::for_both_signs(|sign| {
-        let ring = || -> Result<Ring, ExactError> {
-            let mut ring = Ring::new();
-            ring.symbol("λ₀");
-            ring.angle("ψ");
-            for (name, sign) in [("𝔴", sign), ("𝔴₁", sign), ("𝔴₂", -sign)] {
-                let w = ring.symbol(name);
-                ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
-            }
-            Ok(ring)
-        };
-        Proof::in_ring(
-            "Two velocities under one drive h along the line",
-            ring(),
-            |p| {
-                p.shows("By (26) with any h, |h| ≤ 1, for the sine: the distance of two velocities along x stays while they have the same sense, falls at the rate 2λ₀ while they have opposite ones, and does not grow while one particle rests.");
-                with_sign(p, sign);
-                let [lambda0, same, other] = symbols(["λ₀", "𝔴₁", "𝔴₂"]);
-                p.vanishes("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
-                let signed = int(sign);
-                let closer = signed * (rate - rate.with("𝔴", other));
-                p.identity(
-                    ("The rate of the distance of 𝔴 from 𝔴₂", closer),
-                    ("", -(2 * lambda0)),
-                )?;
-                p.identity(
-                    ("That of its distance from 0", signed * rate),
-                    (
-                        "not positive while another particle rests, as |h| ≤ λ₀ then",
-                        signed * h() - lambda0,
-                    ),
-                )
-            },
-        )
-    })
-}
-
-pub(super) fn slows(law: Expr) -> Proof {
-    let ring = || -> Result<Ring, ExactError> {
-        let mut ring = Ring::new();
-        let [_, vx, vy] = ring.symbols(["λ₀", "v_x", "v_y"]);
-        ring.angle("ψ");
-        ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
-        Ok(ring)
-    };
-    Proof::in_ring("The speed under h and friction", ring(), |p| {
-        p.shows("Under a drive h along x, whatever v_y is: dv/dφ = h v_x/v − λ₀, which is |h| − λ₀ at most.");
-        p.rests_on(&eq2_proof(law))?;
-        let [lambda0, vx, vy] = symbols(["λ₀", "v_x", "v_y"]);
-        let speed = (vx.squared() + vy.squared()).sqrt();
-        let in_units = law.with("μ", lambda0).with("g", int(1));
-        let driven = in_units.with("A_x", -h()).with("A_y", int(0));
-        p.identity(("dv/dφ by (2)", driven), ("", h() * vx / speed - lambda0))?;
-        p.identity(
-            ("1 − (v_x/v)²", 1 - (vx / speed).squared()),
-            (
-                "a square, so that v_x/v is 1 at most",
-                (vy / speed).squared(),
-            ),
-        )
-    })
-}
+use crate::claims::general::two_frames::eq2;
 
 pub(crate) const THRESHOLD: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
     Printed,
@@ -100,7 +30,7 @@ fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Pro
         p.rests_on(&never_part(rate))?;
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&slows(law))?;
-        given(p, &[&MOVES])?;
+        rest_on(p, &[&MOVES])?;
         with_sign(p, sign);
         above_the_mean(p, rate, sign)?;
         let stated = p.read("What is stated for much friction, 1 for rests", much)?;
@@ -112,7 +42,7 @@ fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Pro
             "Let λ_c be the least number such that for each λ₀ between it and 1 there are rests in every late period, from every start",
             "it is M at most, and not below the λ₀ for which there are none",
         );
-        given(p, &[&CHANGES])
+        rest_on(p, &[&CHANGES])
     })
 }
 
@@ -238,9 +168,5 @@ mod tests {
                 assert!(!holds(wrong));
             }
         }
-        assert!(never_part(rate).holds());
-        assert!(!never_part(wrong).holds());
-        assert!(slows(eq2()).holds());
-        assert!(!slows(eq2() - symbol("v_x") * symbol("g")).holds());
     }
 }

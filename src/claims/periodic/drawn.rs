@@ -44,21 +44,21 @@ pub struct Wave {
 }
 
 /// The pulses' share in the figure of their motion.
-pub const ETA: f64 = 0.6;
+pub(crate) const ETA: f64 = 0.6;
 /// Friction below and above λ_c of these pulses.
-pub const BELOW_AND_ABOVE: [f64; 2] = [0.3, 0.8];
+pub(crate) const BELOW_AND_ABOVE: [f64; 2] = [0.3, 0.8];
 /// The third harmonic whose motions are drawn.
 pub const THIRD: f64 = 1.5;
 /// Friction at which its rests are absent, there, gone, and back.
-pub const COME_AND_GO: [f64; 4] = [0.04, 0.08, 0.16, 0.32];
+pub(crate) const COME_AND_GO: [f64; 4] = [0.04, 0.08, 0.16, 0.32];
 
 /// The motion under the pulses below and above λ_c.
-pub fn pulse_waves() -> Result<Vec<Wave>, DriveError> {
+pub(crate) fn pulse_waves() -> Result<Vec<Wave>, DriveError> {
     waves(&pulses(ETA)?, &BELOW_AND_ABOVE)
 }
 
 /// The motion under sin φ + 1.5 sin 3φ, scaled, at four frictions.
-pub fn come_and_go() -> Result<Vec<Wave>, DriveError> {
+pub(crate) fn come_and_go() -> Result<Vec<Wave>, DriveError> {
     waves(&third_harmonic(THIRD)?, &COME_AND_GO)
 }
 

@@ -24,11 +24,6 @@ impl Phase {
     pub fn rests(self) -> bool {
         matches!(self, Phase::Rests(1..))
     }
-
-    /// Whether it is periodic and never at rest.
-    pub fn never_rests(self) -> bool {
-        self == Phase::Rests(0)
-    }
 }
 
 fn settled(
@@ -245,14 +240,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_a_motion_without_rests_never_rests() {
+    fn only_a_motion_with_rests_rests() {
         let phases = [
             Phase::Rests(0),
             Phase::Rests(2),
             Phase::Still,
             Phase::Drifts,
         ];
-        assert_eq!(phases.map(Phase::never_rests), [true, false, false, false]);
         assert_eq!(phases.map(Phase::rests), [false, true, false, false]);
     }
 }

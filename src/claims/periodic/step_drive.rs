@@ -4,8 +4,7 @@
 //! more the short step brings the particle to rest; with more still it meets a faster one, which it does not stop; and near 1 each
 //! stop is early.
 
-use super::chains::rate;
-use super::critical_friction::{never_part, slows};
+use super::chains::{never_part, rate, slows};
 use super::exact::EQ45;
 use super::prelude::*;
 use crate::claims::general::contraction::never_farther_apart;
@@ -156,7 +155,7 @@ fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) 
         p.rests_on(&never_part(rate))?;
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&slows(law))?;
-        given(p, &[&MOVES, &EQ45])?;
+        rest_on(p, &[&MOVES, &EQ45])?;
         for step in DRIVE {
             let room = ratio(step.h).squared() - ratio([1, 8]).squared();
             p.identity(
@@ -245,11 +244,11 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         );
         return Ok(());
     }
-    drawn(p, rate, half)
+    draws_together(p, rate, half)
 }
 
 /// That all motions tend to one without rest that slides forward for half a period and backward for the other.
-fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
+fn draws_together(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
     let [lambda0, psi, other, d] = symbols(["λ₀", "ψ", "𝔴₁", "D"]);
     let (one, two, h) = (int(1), int(2), psi.sin());
     for (says, sign, rate) in [

@@ -26,7 +26,7 @@ fn prove(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle
 /// (139): no push starts a motion, dp/dτ ≤ 0 in every direction ψ, exactly where σ is not above the bound.
 pub(crate) fn eq139(bound: Expr) -> Proof {
     prove("(139): where a push starts no motion", |p| {
-        given(p, &[&turntable::EQ107])?;
+        rest_on(p, &[&turntable::EQ107])?;
         let [sigma, psi] = symbols(["σ", "ψ"]);
         let excess = sigma - bound;
         let less = 2 * sigma * (psi / 2).sin().squared();

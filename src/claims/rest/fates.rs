@@ -15,7 +15,7 @@ pub const REACH: f64 = 1.5;
 pub const ROUND: f64 = 31_416.0 / 10_000.0;
 
 /// Strips of a map, and how often one is halved where a straight line does not follow the boundary.
-pub const STRIPS: u32 = 32;
+pub(crate) const STRIPS: u32 = 32;
 const HALVINGS: u32 = 4;
 
 /// How near to the line proofs are to come, as a share of the way to the map's edge.

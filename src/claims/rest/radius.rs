@@ -47,7 +47,7 @@ fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
 
 /// Whether a particle that ends this far from its circle, in units of the table's length, has stayed. The slowest rider off its
 /// circle, a millionth beyond σ = 1, moves by more.
-fn stayed(moved: f64) -> bool {
+fn is_at_its_place(moved: f64) -> bool {
     moved < 1e-9
 }
 
@@ -148,7 +148,7 @@ attempts![
                 table.omega, table.mu, table.g
             ),
             is(*sigma <= printed::eq139_largest_sigma()),
-            is(stayed(*moved)),
+            is(is_at_its_place(*moved)),
         ))
     }),
     eq139_at_the_edge,
@@ -200,6 +200,9 @@ mod tests {
             }
         }
         assert!(movers > 5);
-        assert_eq!([1e-12, 2e-9, 1e-7].map(stayed), [true, false, false]);
+        assert_eq!(
+            [1e-12, 2e-9, 1e-7].map(is_at_its_place),
+            [true, false, false]
+        );
     }
 }

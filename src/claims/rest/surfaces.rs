@@ -63,13 +63,13 @@ pub(crate) fn bends() -> Evidence {
 }
 
 attempts![
-    psi_free = by_root(Printed, r"(145), whatever $\psi$ is,", |sigma, alpha, _| {
-        printed::eq145_a(sigma, alpha)
-    }),
-    with_psi = by_root(
-        Corrected,
-        r"the corrected $A(\sigma,\alpha,\psi)$",
-        corrected::surface_a
+    psi_free | with_psi = by_root(
+        (r"(145), whatever $\psi$ is,", |sigma, alpha, _| {
+            printed::eq145_a(sigma, alpha)
+        }) | (
+            r"the corrected $A(\sigma,\alpha,\psi)$",
+            corrected::surface_a
+        )
     ),
     bends
 ];

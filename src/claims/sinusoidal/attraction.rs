@@ -19,7 +19,7 @@ fn passes((cases, ends): NoRest) -> Proof {
     Proof::in_ring("(38) passes through zero twice", ring_of_phi_t1(), |p| {
         p.shows("For 0 < λ₀ ≤ λ_c: (38) is positive from φ̃₁ to φ̃₁ + π and negative in the half period after that; at the two zeros it does not rest.");
         p.rests_on(&prove_eq38(cases, ends))?;
-        given(p, &[&EQ40])?;
+        rest_on(p, &[&EQ40])?;
         let [phi, pi] = [symbol("φ"), pi()];
         let [forward, backward] = cases;
         let w = p.read("The forward case", forward)?;
@@ -136,7 +136,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         p.rests_on(&(EQ33.prove)(cases))?;
         p.rests_on(&eq2_proof(law))?;
         p.rests_on(&slip())?;
-        given(p, &[&EQ34, &EQ35, &EQ36])?;
+        rest_on(p, &[&EQ34, &EQ35, &EQ36])?;
         let [beta, lambda0, vx, vy, phi] = symbols(["β", "λ₀", "v_x", "v_y", "φ"]);
         let pi = pi();
         let x = symbol("x");
@@ -205,7 +205,7 @@ fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
     Proof::in_ring("Small, large and very large friction", empty(), |p| {
         p.rests_on(&drawn_to_no_rest(law, no_rest))?;
         p.rests_on(&drawn_to_rests(eq2(), rests))?;
-        given(p, &[&WEAK_DRIVE_STOPS, &VX_STAYS, &EQ36, &EQ40])?;
+        rest_on(p, &[&WEAK_DRIVE_STOPS, &VX_STAYS, &EQ36, &EQ40])?;
         let [lambda0, vx, vy, phi] = symbols(["λ₀", "v_x", "v_y", "φ"]);
         let cosine = vx / (vx.squared() + vy.squared()).sqrt();
         let [rate, _] = in_units(law, eq21());

@@ -202,14 +202,14 @@ mod tests {
     use crate::seeded::with;
     use trialbook::certified::ball::Ball;
 
-    fn refused(evidence: &Evidence) {
+    fn assert_refused(evidence: &Evidence) {
         assert_eq!(evidence.worst, f64::INFINITY, "{}", evidence.at);
     }
 
     #[test]
     fn a_changed_bracket_is_refused() {
         let [a, b, d] = phases();
-        refused(&prove_bracket([a, d, b], left(), NOTHING));
+        assert_refused(&prove_bracket([a, d, b], left(), NOTHING));
         let lambda0 = symbol("λ₀");
         let far = 1 - lambda0.squared();
         for [n, m, k, l] in [
@@ -220,7 +220,7 @@ mod tests {
         ] {
             let off = lambda0.pow(int(k)) * far.pow(int(l));
             let off = int(n) * off / int(m);
-            refused(&prove_bracket(phases(), left() - off, NOTHING));
+            assert_refused(&prove_bracket(phases(), left() - off, NOTHING));
         }
         let holds = || prove_bracket(phases(), left(), NOTHING).worst == 0.0;
         let kept = PAPER.formulas.variants_of("eq32_left").into_iter();
@@ -235,10 +235,10 @@ mod tests {
         let off = critical + Interval::point(1e-13);
         let threshold =
             |left, critical| certified(prove_threshold(left, critical), Printed, NOTHING);
-        refused(&threshold(printed::eq35_left, off));
-        refused(&threshold(|l| -printed::eq35_left(l), critical));
+        assert_refused(&threshold(printed::eq35_left, off));
+        assert_refused(&threshold(|l| -printed::eq35_left(l), critical));
         let phi_t1 = printed::eq39_phi_t1::tree();
-        refused(&prove_turns(phi_t1, off, NOTHING));
+        assert_refused(&prove_turns(phi_t1, off, NOTHING));
         for variant in PAPER.formulas.variants_of("eq39_phi_t1") {
             let phi_t1 = || printed::eq39_phi_t1::tree();
             let evidence = prove_turns(with(variant.seed, phi_t1), critical, NOTHING);

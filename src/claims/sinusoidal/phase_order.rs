@@ -126,7 +126,7 @@ pub(crate) fn slip() -> Proof {
 fn ends_once(w: Expr) -> Proof {
     Proof::in_ring("A slip from rest ends once", ring_of_phi1(), |p| {
         p.shows("For 0 < λ₀ < 1 and sin β = λ₀, 0 < β < π/2: (31) is positive from β up to one phase between π − β and 2π − β, and negative from there to 2π + β.");
-        given(p, &[&EQ31])?;
+        rest_on(p, &[&EQ31])?;
         let [beta, lambda0, phi] = symbols(["β", "λ₀", "φ"]);
         let printed = p.read("(31), with sin β = λ₀", w)?;
         let slope = p.slope("Its slope", &printed, "φ")?;
@@ -151,7 +151,7 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("A slip outlasts half the period", ring(), |p| {
-        given(p, &[&EQ32, &EQ36])?;
+        rest_on(p, &[&EQ32, &EQ36])?;
         p.rests_on(&ends_once(w))?;
         let [beta, lambda0, phi, end] = symbols(["β", "λ₀", "φ", "φ̃₂"]);
         let (two, pi) = (int(2), pi());

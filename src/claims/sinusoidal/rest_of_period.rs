@@ -52,8 +52,6 @@ fn nothing_given(subject: Subject, (end, stated): Stated) -> Evidence {
 }
 
 attempts![
-    printed_root = next_start(Printed, PRINTED),
-    printed_quadrature = nothing_given(Printed, PRINTED),
-    corrected_root = next_start(Corrected, CORRECTED),
-    corrected_quadrature = nothing_given(Corrected, CORRECTED)
+    printed_root | corrected_root = next_start((PRINTED) | (CORRECTED)),
+    printed_quadrature | corrected_quadrature = nothing_given((PRINTED) | (CORRECTED))
 ];

@@ -149,7 +149,7 @@ fn near_zero([d, ..]: Passage) -> Proof {
     let title = "The drive beside a zero of (38)";
     Proof::in_ring(title, ring_of_passage(), |p| {
         p.shows("For λ₀ < λ_c let d = sin φ̃₁, which exceeds λ₀, and m = (d − λ₀)/2. Where |φ − φ̃₁| ≤ m: sin φ ≥ λ₀ + m, and |v_x| is at least m times the distance of φ from a zero of v_x there.");
-        given(p, &[&EQ40])?;
+        rest_on(p, &[&EQ40])?;
         let [lambda0, turn, phi] = symbols(["λ₀", "φ̃₁", "φ"]);
         p.identity(
             ("The stated size d of the drive at a zero", d),
@@ -181,7 +181,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         p.shows("For 0 < λ₀ < λ_c and v_y > 0, d = sin φ̃₁: late zeros of v_x, first at the distance Z, next Z′, from those of (38), obey Z′ (d + λ₀ − Z′) ≤ Z (d − λ₀ + Z) + Y, with Y for v_y at the phase (d − λ₀)/2 before the first.");
         p.rests_on(&turning(law))?;
         p.rests_on(&prove_eq38(cases, ends))?;
-        given(p, &[&TRICHOTOMY])?;
+        rest_on(p, &[&TRICHOTOMY])?;
         p.rests_on(&near_zero(passage))?;
         let [lambda0, phi, turn, z] = symbols(["λ₀", "φ", "φ̃₁", "Z"]);
         let [vx, vy, v] = velocity();
@@ -255,7 +255,7 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
         p.shows("For 0 < λ₀ < λ_c and v_y > 0: a late passage of v_x through zero multiplies ln v_y by F = (d + λ₀)/(d − λ₀), which exceeds 1, up to terms that stay bounded; d = sin φ̃₁.");
         p.rests_on(&turning(law))?;
         p.rests_on(&zeros_settle(law, motion, passage))?;
-        given(p, &[&VY_VANISHES])?;
+        rest_on(p, &[&VY_VANISHES])?;
         p.rests_on(&near_zero(passage))?;
         let [lambda0, before, b, e] = symbols(["λ₀", "L", "b", "e"]);
         let [d, factor, _] = passage;
@@ -373,7 +373,7 @@ fn two_stages((law, slope, motion, passage, phase): (Rate, Expr, NoRest, Passage
         p.rests_on(&passages(law, motion, passage))?;
         p.rests_on(&lost_at_rest(law))?;
         p.rests_on(&last_stage(law, phase))?;
-        given(p, &[&IGNORES_VY])?;
+        rest_on(p, &[&IGNORES_VY])?;
         p.vanishes(
             "At rest and in (33), which is along the line, v_y",
             paper::s22_late_vy(),

@@ -209,8 +209,8 @@ const SLIP: Found = (
 
 fn at_turns(
     subject: Subject,
-    stated: &'static str,
     (name, wanted, found): Found,
+    stated: &'static str,
     formula: Time,
 ) -> Evidence {
     let turns = only(TURNS.each(), |turn| wanted(turn));
@@ -328,10 +328,11 @@ attempts![
         ])
     }),
     regular_straight,
-    eq82 = at_turns(Printed, "(82)", TIME, |[lambda, u0, theta0, theta, ..]| {
-        printed::eq82_time(lambda, u0, theta0, theta)
-    }),
-    corrected82 = at_turns(Corrected, r"(82) over $\gamma$", TIME, corrected_time),
+    eq82 | corrected82 = at_turns(TIME)(
+        ("(82)", |[lambda, u0, theta0, theta, ..]| {
+            printed::eq82_time(lambda, u0, theta0, theta)
+        }) | (r"(82) over $\gamma$", corrected_time)
+    ),
     // (82) with its factor, from Newton's law across and along the slip: u dθ = −γ sin θ dτ and du = (γ cos θ − λγ) dτ.
     corrected82_quadrature = {
         let compared = Compared::one(
@@ -361,21 +362,18 @@ attempts![
         })
     },
     regular_time,
-    eq83 = at_turns(
-        Printed,
-        "(83) at the angle and time of the motion",
-        SLIP,
-        |[lambda, u0, theta0, theta, tau, _]| {
-            printed::eq83_slip_at_time(lambda, u0, theta0, theta, tau)
-        }
-    ),
-    corrected83 = at_turns(
-        Corrected,
-        r"(83) with $\gamma\tau$ for $\tau$, at the angle and time of the motion,",
-        SLIP,
-        |[lambda, u0, theta0, theta, tau, gamma]| {
-            corrected::slip_at_time(lambda, gamma, u0, theta0, theta, tau)
-        }
+    eq83 | corrected83 = at_turns(SLIP)(
+        (
+            "(83) at the angle and time of the motion",
+            |[lambda, u0, theta0, theta, tau, _]| {
+                printed::eq83_slip_at_time(lambda, u0, theta0, theta, tau)
+            }
+        ) | (
+            r"(83) with $\gamma\tau$ for $\tau$, at the angle and time of the motion,",
+            |[lambda, u0, theta0, theta, tau, gamma]| {
+                corrected::slip_at_time(lambda, gamma, u0, theta0, theta, tau)
+            }
+        )
     ),
     eq83_step = {
         let points = Points::here().within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);

@@ -146,11 +146,12 @@ attempts![
         let (gamma, u) = gamma_u(run, slip, t);
         per_time(run, printed::eq74_slip_rate(run.case.b(), gamma, u))
     }),
-    eq75 = spin(Printed, "(75)", printed::eq75_spin),
-    corrected75 = spin(
-        Corrected,
-        r"$\hat{\bm z}\zeta_3-\hat{\bm z}\times(\bm u-\mathrm d\bm\rho/\mathrm d\tau)$",
-        corrected::spin
+    eq75 | corrected75 = spin(
+        ("(75)", printed::eq75_spin)
+            | (
+                r"$\hat{\bm z}\zeta_3-\hat{\bm z}\times(\bm u-\mathrm d\bm\rho/\mathrm d\tau)$",
+                corrected::spin
+            )
     ),
     eq77 = summed(
         r"(77) less (76) over $\tau$",

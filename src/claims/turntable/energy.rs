@@ -45,9 +45,10 @@ fn work_step() -> Evidence {
 
 fn kept(
     subject: Subject,
-    compared: Compared,
+    what: &'static str,
     energy: impl Fn(&Table, &State, f64) -> f64,
 ) -> Evidence {
+    let compared = Compared::one(what, "0");
     Trial::by(Integration, subject, compared, FRAMES).each(launches(), Launch::at, |launch| {
         let Table { omega, mass: m, .. } = launch.table;
         let end = launch.still.on_table(launch.to)?;
@@ -139,20 +140,16 @@ attempts![
             1.0,
         ])
     }),
-    eq106 = kept(
-        Printed,
-        Compared::one("the change of (106) over a motion", "0"),
-        |table, state, s| {
+    eq106 | eq106_corrected = kept(
+        ("the change of (106) over a motion", |table, state, s| {
             printed::eq106_constant(table.mass, table.g, table.omega, state.x, state.v, s)
-        }
-    ),
-    eq106_corrected = kept(
-        Corrected,
-        Compared::one(r"the change of (106) with $m\mu gs$ over a motion", "0"),
-        |table, state, s| {
-            let Table { omega, mu, g, mass } = *table;
-            corrections::constant(mass, mu, g, omega, state.x, state.v, s)
-        }
+        }) | (
+            r"the change of (106) with $m\mu gs$ over a motion",
+            |table, state, s| {
+                let Table { omega, mu, g, mass } = *table;
+                corrections::constant(mass, mu, g, omega, state.x, state.v, s)
+            }
+        )
     ),
     eq104_kept = {
         let trial = Trial::motion(
@@ -180,12 +177,13 @@ attempts![
             Ok([stretch.sum(rate, 1e-13), value(&end) - value(&begin)])
         })
     },
-    friction = work(Printed, "$-mgs$", |table, s| {
-        printed::friction_work(table.mass, table.g, s)
-    }),
+    friction | friction_corrected = work(
+        ("$-mgs$", |table, s| {
+            printed::friction_work(table.mass, table.g, s)
+        }) | (r"$-m\mu gs$", |table, s| {
+            corrections::friction_work(table.mass, table.mu, table.g, s)
+        })
+    ),
     coriolis,
-    friction_corrected = work(Corrected, r"$-m\mu gs$", |table, s| {
-        corrections::friction_work(table.mass, table.mu, table.g, s)
-    }),
     work_step
 ];

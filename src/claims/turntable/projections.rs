@@ -25,24 +25,31 @@ const BY_RADIUS_AND_U: &str =
 const BY_RADIUS_AND_P: &str =
     r"$\mathrm d\xi/\mathrm d\tau$ by the law along the radius and $\mathrm dp/\mathrm d\tau$,";
 
+fn projected(
+    subject: Subject,
+    quantity: Quantity,
+    law: &'static str,
+    rate: fn(&View) -> f64,
+) -> Evidence {
+    change(law, subject, ANY, quantity, rate)
+}
+
 attempts![
-    tangential = change(
-        "the projection of (89) on the velocity,",
-        Within,
-        ANY,
-        P,
-        |v| { printed::s4_tangential_rate([v.xi, -v.ell], [v.p, 0.0]) }
+    tangential = projected(Within, P, "the projection of (89) on the velocity,", |v| {
+        printed::s4_tangential_rate([v.xi, -v.ell], [v.p, 0.0])
+    }),
+    azimuthal | azimuthal_corrected = projected(ELL)(
+        (BY_MOMENT_AND_U, |v| {
+            printed::s4_azimuthal_rate(v.p, v.ell, v.xi, U_RATE)
+        }) | (BY_MOMENT_AND_P, |v| {
+            corrected::azimuthal_rate(v.p, v.ell, v.xi)
+        })
     ),
-    azimuthal = change(BY_MOMENT_AND_U, Printed, ANY, ELL, |v| {
-        printed::s4_azimuthal_rate(v.p, v.ell, v.xi, U_RATE)
-    }),
-    azimuthal_corrected = change(BY_MOMENT_AND_P, Corrected, ANY, ELL, |v| {
-        corrected::azimuthal_rate(v.p, v.ell, v.xi)
-    }),
-    radial = change(BY_RADIUS_AND_U, Printed, ANY, XI, |v| {
-        printed::s4_radial_rate(v.p, v.ell, v.xi, U_RATE)
-    }),
-    radial_corrected = change(BY_RADIUS_AND_P, Corrected, ANY, XI, |v| {
-        corrected::radial_rate(v.p, v.ell, v.xi)
-    })
+    radial | radial_corrected = projected(XI)(
+        (BY_RADIUS_AND_U, |v| {
+            printed::s4_radial_rate(v.p, v.ell, v.xi, U_RATE)
+        }) | (BY_RADIUS_AND_P, |v| corrected::radial_rate(
+            v.p, v.ell, v.xi
+        ))
+    )
 ];

@@ -23,14 +23,14 @@ words! {
     "parts-of-two" => parts();
     "routes-needed" => {
         let routes = [Route::Integration, Route::Quadrature, Route::Root, Route::Limit];
-        let confirmed = |n: &usize| judged(&routes[..*n].iter().map(|route| by(*route, None)).collect::<Vec<_>>());
+        let confirmed = |n: &usize| is_confirmed(&routes[..*n].iter().map(|route| by(*route, None)).collect::<Vec<_>>());
         found((0..=routes.len()).find(confirmed))?
     };
     "differ-and-read-none" => {
         let two = |route, shared: bool| {
             let (here, there) = (Location::caller(), place());
             let second = if shared { here } else { there };
-            judged(&[by(Route::Integration, Some(here)), by(route, Some(second))])
+            is_confirmed(&[by(Route::Integration, Some(here)), by(route, Some(second))])
         };
         let neither = !two(Route::Quadrature, true) && !two(Route::Integration, false);
         [neither, two(Route::Quadrature, true) && two(Route::Integration, false)]
@@ -81,7 +81,7 @@ fn by(route: Route, run: Option<&'static Location<'static>>) -> Evidence {
     }
 }
 
-fn judged(evidence: &[Evidence]) -> bool {
+fn is_confirmed(evidence: &[Evidence]) -> bool {
     judge(Kind::Equation, None, &[], evidence).verdict == Verdict::Confirmed
 }
 

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 const FILE: &str = include_str!("../../../benches/exam/results/pyslammer.csv");
 
 /// Where they come from.
-pub static PYSLAMMER: Source = Source {
+pub(crate) static PYSLAMMER: Source = Source {
     title: "pySLAMMER, its module analytical_sliding_block and its class RigidAnalysis",
     read: "both files of version 0.2.2, and their 66 closed forms of 2025 in temp/_demos/harmonic_solutions.csv, at commit 1cbbcf02; both were run",
 };
@@ -103,7 +103,7 @@ impl Shaken {
 ///
 /// # Errors
 /// [`ExamError`] where the motion cannot be followed, or a line of the file is none.
-pub fn yields() -> Result<Vec<Yield>, ExamError> {
+pub(crate) fn yields() -> Result<Vec<Yield>, ExamError> {
     let drive = Drive::new(libm::sin, &[])?;
     let mut yields: Vec<Yield> = Vec::new();
     let lines = FILE.lines().filter(|line| !line.starts_with('#'));

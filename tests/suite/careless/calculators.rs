@@ -24,7 +24,7 @@ fn sound<T: Fields>(answer: Result<Answer<T>, SolveError>) -> bool {
     finite(&all)
 }
 
-fn drawn(curve: Result<Curve, SolveError>) -> bool {
+fn is_drawn(curve: Result<Curve, SolveError>) -> bool {
     curve.is_err() || curve.is_ok_and(|curve| finite(curve.points.as_flattened()))
 }
 
@@ -37,22 +37,22 @@ proptest! {
         let (lambda, v0, theta0, accel) = (a, b, c, d);
         for accel in [accel, 1.0] {
             let launch = constant::ConstantProblem { lambda, v0, theta0, accel, at };
-            prop_assert!(sound(launch.solve()) && drawn(launch.curve()), "{launch:?}");
+            prop_assert!(sound(launch.solve()) && is_drawn(launch.curve()), "{launch:?}");
         }
         for kappa in [d, 0.4] {
             let ball = sphere::SphereProblem { gamma: a, u0: b, theta0: c, kappa, at };
-            prop_assert!(sound(ball.solve()) && drawn(ball.curve()), "{ball:?}");
+            prop_assert!(sound(ball.solve()) && is_drawn(ball.curve()), "{ball:?}");
         }
     }
 
     #[test]
     fn a_drive_has_numbers([a, b] in each()) {
         let sine = sinusoidal::SinusoidalProblem { lambda0: a };
-        prop_assert!(sound(sine.solve()) && drawn(sine.curve()), "{sine:?}");
+        prop_assert!(sound(sine.solve()) && is_drawn(sine.curve()), "{sine:?}");
         let pulse = periodic::PeriodicProblem { eta: b, lambda0: a };
-        prop_assert!(sound(pulse.solve()) && drawn(pulse.curve()), "{pulse:?}");
+        prop_assert!(sound(pulse.solve()) && is_drawn(pulse.curve()), "{pulse:?}");
         let uneven = anisotropic::AnisotropicProblem { q: b, lambda0: a };
-        prop_assert!(sound(uneven.solve()) && drawn(uneven.curve()), "{uneven:?}");
+        prop_assert!(sound(uneven.solve()) && is_drawn(uneven.curve()), "{uneven:?}");
     }
 
     #[test]
@@ -71,7 +71,7 @@ proptest! {
         ] {
             prop_assert!(sound(start.fate()), "{start:?}");
             prop_assert!(sound(start.at(e)) && sound(start.at(1.0)), "{start:?} {e}");
-            prop_assert!(drawn(start.curve(Some(e))) && drawn(start.curve(None)), "{start:?} {e}");
+            prop_assert!(is_drawn(start.curve(Some(e))) && is_drawn(start.curve(None)), "{start:?} {e}");
         }
     }
 }
@@ -88,7 +88,7 @@ fn the_boundary_of_rest_has_numbers() {
     let tried = TestRunner::new(config).run(&asked, |asked| {
         let problem = |[alpha, psi]: [f64; 2]| rest::BoundaryProblem { alpha, psi };
         let wrong = asked.into_par_iter().map(problem).find_any(|boundary| {
-            let numbers = || sound(boundary.solve()) && drawn(boundary.curve());
+            let numbers = || sound(boundary.solve()) && is_drawn(boundary.curve());
             !std::panic::catch_unwind(numbers).is_ok_and(|sound| sound)
         });
         prop_assert!(wrong.is_none(), "{wrong:?}");

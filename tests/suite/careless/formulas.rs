@@ -6,7 +6,7 @@ use slipbook::claims::{PAPER, formulas::formulas};
 use slipbook::scalar::Scalar;
 use trialbook::certified::{ball::Ball, interval::Interval};
 
-fn bounded(x: Interval) -> bool {
+fn is_bounded(x: Interval) -> bool {
     x.lo() <= x.hi()
 }
 
@@ -23,14 +23,14 @@ proptest! {
     #[test]
     fn an_interval_has_bounds_around_what_it_encloses([a, b, c, d] in each()) {
         let (x, y) = (Interval::new(a, b), Interval::new(c, d));
-        prop_assert!(bounded(x) && x.mid().is_finite() && x.width() >= 0.0 && x.mignitude() <= x.magnitude());
+        prop_assert!(is_bounded(x) && x.mid().is_finite() && x.width() >= 0.0 && x.mignitude() <= x.magnitude());
         for z in [
             x + y, x - y, x * y, x / y, -x, x.hull(y), x.widened(c.abs()), x.sqrt(), x.sin(), x.cos(), x.sinh(), x.cosh(),
             x.exp(), x.ln(), x.asin(), x.acos(), x.squared(),
         ] {
-            prop_assert!(bounded(z), "{x} {y} {z}");
+            prop_assert!(is_bounded(z), "{x} {y} {z}");
         }
-        prop_assert!(x.meet(y).is_none_or(|z| z.within(x) && z.within(y)) && x.halves().into_iter().all(bounded));
+        prop_assert!(x.meet(y).is_none_or(|z| z.within(x) && z.within(y)) && x.halves().into_iter().all(is_bounded));
         let (p, q) = (Interval::point(a), Interval::point(c));
         for (exact, z) in [(a + c, p + q), (a - c, p - q), (a * c, p * q), (a / c, p / q), (libm::sqrt(a), p.sqrt())] {
             prop_assert!(!exact.is_finite() || !a.is_finite() || !c.is_finite() || z.contains(exact), "{exact} {z}");
@@ -40,13 +40,13 @@ proptest! {
     #[test]
     fn a_ball_encloses_or_refuses([a, b] in each(), bits in 0..300_usize, digits in 0..40_usize) {
         let Some(ball) = Ball::enclosing(Interval::new(a, b), bits) else { return Ok(()) };
-        prop_assert!(bounded(ball.interval()) && ball.interval().contains(Interval::new(a, b).mid()), "{ball:?}");
+        prop_assert!(is_bounded(ball.interval()) && ball.interval().contains(Interval::new(a, b).mid()), "{ball:?}");
         for other in [ball.sqrt(), ball.asin(), ball.over(&ball), Some(&ball * &ball)].into_iter().flatten() {
-            prop_assert!(bounded(other.interval()));
+            prop_assert!(is_bounded(other.interval()));
             other.decimal(digits);
         }
         if a.abs().max(b.abs()) < 1e6 {
-            prop_assert!(ball.sin_cos().iter().all(|ball| bounded(ball.interval())));
+            prop_assert!(ball.sin_cos().iter().all(|ball| is_bounded(ball.interval())));
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The decimals in the cases by hand, worked out once more.
 
 use super::{
+    decimals::decimals,
     formulas::{Found, Given, found, number, read},
-    numbers::decimals,
     text::{bare, formulas_of},
 };
 use crate::LEDGER;

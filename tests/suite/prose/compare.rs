@@ -97,13 +97,13 @@ impl Atoms {
                     Binary::Sub => x - y,
                     Binary::Mul => x * y,
                     Binary::Div => self.ring.divide(&x, &y)?,
-                    Binary::Pow => self.raised(x, y)?,
+                    Binary::Pow => self.raise(x, y)?,
                 }
             }
         })
     }
 
-    fn raised(&mut self, base: Rational, exponent: Rational) -> Result<Rational, ExactError> {
+    fn raise(&mut self, base: Rational, exponent: Rational) -> Result<Rational, ExactError> {
         let whole = exponent.as_integer().and_then(|n| i32::try_from(n).ok());
         match whole.filter(|n| n.abs() <= 8) {
             Some(n) => {

@@ -1,6 +1,6 @@
 //! What pages say of files that the package does not have, `src/edition/words/counted.rs`; and what captions say in digits.
 
-use super::{drawn::FIGURES, numbers::decimals};
+use super::{decimals::decimals, drawn::FIGURES};
 use slipbook::claims::PAPER;
 use slipbook::edition::EDITION;
 use std::f64::consts::{PI, SQRT_2};

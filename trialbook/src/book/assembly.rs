@@ -1,17 +1,18 @@
 //! The book in two steps: its pages whatever the verdicts, and what fills them.
 
 use super::{
-    assets,
+    answers, assets,
     atomic_replace::{Staging, unwritable},
     code::Code,
     context::Context,
+    equation_links,
     error::BookError,
     expand::{Blank, MARK, expand},
     fill::{self, Filler},
     links::dead_links,
     map,
     maths::{Forms, Maths},
-    metadata, moved, numbers, overview, pages, put,
+    metadata, moved, pages, put,
     search::Search,
     text::{after_each, without},
 };
@@ -158,7 +159,7 @@ impl<'a> Frame<'a> {
             for figure in &figures {
                 write(&fill::data_file(figure), &figure.csv)?;
             }
-            write(overview::ANSWERS, &overview::answers(&context)?)?;
+            write(answers::ANSWERS, &answers::answers(&context)?)?;
             if let Some((name, bytes)) = self.edition.picture {
                 put(&book.join(name), bytes)?;
             }
@@ -204,7 +205,7 @@ impl<'a> Frame<'a> {
         filled: &[Filled],
         forms: &Forms,
     ) -> Result<(), BookError> {
-        let numbered = numbers::addresses(context.ledger);
+        let numbered = equation_links::addresses(context.ledger);
         let whole = |(name, html): &(String, String)| {
             let put_in = |number: usize| {
                 let filled = filled.get(number)?;
@@ -224,7 +225,7 @@ impl<'a> Frame<'a> {
             // The page of all pages is for paper, and the last part is not about this one.
             let about = page.is_some_and(|page| page.part != Part::Use);
             let html = match about {
-                true => numbers::linked(name, &html, &numbered),
+                true => equation_links::linked(name, &html, &numbered),
                 false => html,
             };
             let html = metadata::with_head(self.edition, stem, about, &html, forms);

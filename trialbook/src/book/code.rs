@@ -176,7 +176,7 @@ fn lines_of_code(text: &str) -> usize {
 }
 
 fn functions(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    text.lines().enumerate().filter_map(|(i, line)| {
+    text.lines().enumerate().flat_map(|(i, line)| {
         let mut words = line.trim_start();
         for word in ["pub ", "pub(super) ", "pub(crate) "] {
             words = words.strip_prefix(word).unwrap_or(words);
@@ -184,13 +184,16 @@ fn functions(text: &str) -> impl Iterator<Item = (usize, &str)> {
         let constant = words.strip_prefix("const ");
         let item = constant.unwrap_or(words).strip_prefix("fn ").or(constant);
         let name = item.and_then(|item| item.split(['(', '<', ':']).next());
-        let row = words.trim_start_matches('&');
-        let row = || {
-            row.split_once(" = ")
-                .map_or(row.strip_suffix(" ="), |row| Some(row.0))
+        let row = || match words.split_once(" = ") {
+            Some((row, _)) => Some(row),
+            None => words.strip_suffix(" ="),
         };
-        let is_name = |name: &&str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
-        Some((i, name.or_else(row).filter(is_name)?))
+        // A row of trials may have two names, `eq75 | corrected75 = `.
+        let names = name.or_else(row).unwrap_or_default().split(" | ");
+        let names = names.map(|name| name.trim_start_matches('&'));
+        let is_name =
+            |name: &&str| !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '_');
+        names.filter(is_name).map(move |name| (i, name))
     })
 }
 
@@ -198,16 +201,16 @@ fn code_page(file: &str, source: &Source, book: &str) -> String {
     let text = source.text;
     let up = "../".repeat(file.matches('/').count() + 1);
     // Of several places of a name, the first.
-    let mut anchors = BTreeMap::new();
+    let mut anchors: Vec<(usize, &str)> = Vec::new();
     for (line, name) in source.places.iter().copied() {
-        if !anchors.values().any(|taken| *taken == name) {
-            anchors.insert(line, name);
+        if !anchors.iter().any(|(_, taken)| *taken == name) {
+            anchors.push((line, name));
         }
     }
     let mut code = String::with_capacity(text.len() * 2);
     let mut state = State::Plain;
     for (i, line) in text.lines().enumerate() {
-        if let Some(name) = anchors.get(&i) {
+        for (_, name) in anchors.iter().filter(|(line, _)| *line == i) {
             code += &format!("<a id=\"{}\"></a>", escape(name));
         }
         state = match file.ends_with(".rs") {

@@ -3,7 +3,7 @@
 use super::{
     context::Context,
     error::Html,
-    tables::tried,
+    table::tried,
     text::{count, counted, escape, size},
 };
 use crate::evidence::{Evidence, Route};

@@ -6,7 +6,7 @@ use super::{
     error::Html,
     text::sentence,
 };
-use crate::ledger::{Erratum, Verdict};
+use crate::ledger::{Entry, Erratum, Verdict};
 
 pub(super) fn list(context: &Context<'_>, verdicts: &[Verdict]) -> Html {
     let errata = context.errata.iter();
@@ -29,6 +29,36 @@ pub(super) fn number(context: &Context<'_>, id: &str) -> usize {
     let mut all: Vec<_> = context.errata.iter().collect();
     all.sort_by_key(rank);
     1 + all.iter().take_while(|erratum| erratum.id != id).count()
+}
+
+pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Html {
+    let line = |entry: &Entry| {
+        let wrong = entry.in_short().unwrap_or_default();
+        let (_, wrong) = wrong.split_once(": ").unwrap_or(("", &wrong));
+        let words = context.maths.words(&sentence(wrong))?;
+        let link = context.link(entry)?;
+        let (mut numbered, mut fallen) = (String::new(), String::new());
+        if with_fallen {
+            numbered = format!("No. {}, ", number(context, entry.claim.id));
+            let [with_it, _] = context.ledger.fallen_and_standing(entry.claim.id);
+            let mut roots = context.ledger.roots().map(|root| root.claim.id);
+            // Two errors on one way have the same heirs.
+            let alike = roots.find(|root| context.ledger.fallen_and_standing(root)[0] == with_it);
+            fallen = match alike {
+                _ if with_it.is_empty() => String::new(),
+                Some(id) if id != entry.claim.id => {
+                    format!(" The same claims fall as with No. {}.", number(context, id))
+                }
+                _ => format!(" With it {}.", context.links(&with_it)?),
+            };
+        }
+        Ok(format!("<li>{numbered}{link}: {words}.{fallen}</li>"))
+    };
+    let lines: Html = context.ledger.roots().map(line).collect();
+    Ok(match lines?.as_str() {
+        "" => "<p>Nothing is false by an error of its own.</p>\n".to_owned(),
+        lines => format!("<ul class=\"errors\">{lines}</ul>\n"),
+    })
 }
 
 fn item(context: &Context<'_>, erratum: &Erratum) -> Html {

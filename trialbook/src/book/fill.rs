@@ -1,12 +1,13 @@
 //! What each placeholder stands for.
 
 use super::{
-    claim_box,
+    answers, claim_box,
     context::{Context, verdict},
     deep, errata,
     error::{Fault, Html},
+    excuses,
     expand::Blank,
-    lemmas, map, overview, pieces, symbols, tables,
+    ledger_tables, lemmas, map, method_tables, pieces, skeleton, symbols, table,
     text::{count, escape, in_words, size},
     theorems, values,
 };
@@ -14,7 +15,7 @@ use crate::evidence::Kind;
 use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};
 use crate::notation;
 use crate::plotting::{Figure, panels};
-use crate::publishing::{Filled, Page};
+use crate::publishing::{Edition, Filled, Page};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -63,29 +64,29 @@ impl<'a> Filler<'a> {
             ["contents"] => inline(self.contents(page)?),
             ["title"] => inline(escape(ledger.paper.title)),
             ["authors"] => inline(escape(ledger.paper.authors)),
-            ["repository"] => inline(overview::repository(context.edition)),
-            ["counts"] => block(tables::counts(ledger)),
-            ["errors"] => block(overview::errors(context, false)?),
-            ["errors", "fallen"] => block(overview::errors(context, true)?),
-            ["skeleton"] => block(overview::skeleton(context)),
-            ["ask"] => block(overview::field()),
-            ["ledger"] => block(tables::whole_ledger(context)?),
-            ["ledger", topic] => block(tables::folded_topic(context, topic)?),
+            ["repository"] => inline(repository(context.edition)),
+            ["counts"] => block(ledger_tables::counts(ledger)),
+            ["errors"] => block(errata::errors(context, false)?),
+            ["errors", "fallen"] => block(errata::errors(context, true)?),
+            ["skeleton"] => block(skeleton::skeleton(context)),
+            ["ask"] => block(answers::field()),
+            ["ledger"] => block(ledger_tables::whole_ledger(context)?),
+            ["ledger", topic] => block(ledger_tables::folded_topic(context, topic)?),
             ["beside"] => block(theorems::beside(context)?),
             ["lemmas"] => block(lemmas::all(context)?),
             ["definitions"] => block(theorems::definitions(context)?),
-            ["proofs"] => block(tables::proofs(ledger)),
-            ["unreached"] => block(tables::unreached(context)?),
-            ["accuracy"] => block(tables::accuracy(context)?),
+            ["proofs"] => block(ledger_tables::proofs(ledger)),
+            ["unreached"] => block(ledger_tables::unreached(context)?),
+            ["accuracy"] => block(method_tables::accuracy(context)?),
             ["deep"] => block(deep::table_of(context)?),
-            ["survivors"] => block(tables::excused(context, "survivors")?),
-            ["spared"] => block(tables::excused_trials(context, "spared")?),
-            ["coarse"] => block(tables::excused_trials(context, "coarse")?),
-            ["cornered"] => block(tables::excused(context, "cornered")?),
-            ["idle"] => block(tables::idle(context)?),
-            ["sheet", id] => block(tables::code(&context.entry(id)?.sheet())),
-            ["sheets"] => block(tables::sheets(context)?),
-            ["first-paper"] => block(tables::code(FIRST)),
+            ["survivors"] => block(excuses::excused(context, "survivors")?),
+            ["spared"] => block(excuses::excused_trials(context, "spared")?),
+            ["coarse"] => block(excuses::excused_trials(context, "coarse")?),
+            ["cornered"] => block(excuses::excused(context, "cornered")?),
+            ["idle"] => block(excuses::idle(context)?),
+            ["sheet", id] => block(table::code(&context.entry(id)?.sheet())),
+            ["sheets"] => block(ledger_tables::sheets(context)?),
+            ["first-paper"] => block(table::code(FIRST)),
             ["symbols"] => block(symbols::table_of(context)?),
             ["values"] => block(values::table_of(context)?),
             ["falls"] => block(map::what_falls(context)?),
@@ -97,8 +98,8 @@ impl<'a> Filler<'a> {
                 block(errata::list(context, &verdicts)?)
             }
             ["lines", modules @ ..] => inline(context.code.lines(modules)?),
-            ["routes"] => block(tables::routes(ledger)),
-            ["tolerances"] => block(tables::tolerances(context)?),
+            ["routes"] => block(method_tables::routes(ledger)),
+            ["tolerances"] => block(method_tables::tolerances(context)?),
             ["verdict", id] => inline(verdict(context.entry(id)?.judgement.verdict)),
             ["points", id] => inline(count(context.entry(id)?.points())),
             ["worst", id] => {
@@ -248,4 +249,11 @@ fn verdict_of(slug: &str) -> Result<Verdict, Fault> {
 
 pub(super) fn data_file(figure: &Figure) -> String {
     format!("figures/{}.csv", figure.id)
+}
+
+fn repository(edition: &Edition) -> String {
+    match edition.repository {
+        Some(address) => format!("<a href=\"{}\">the program’s sources</a>", escape(address)),
+        None => "the program’s sources, which have no public address yet,".to_owned(),
+    }
 }

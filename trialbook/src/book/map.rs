@@ -3,7 +3,7 @@
 use super::{
     context::{Context, sign, verdict},
     error::{Fault, Html},
-    tables::{table, tried},
+    table::{table, tried},
     text::{count, counted},
 };
 use crate::ledger::{Entry, Ledger, Verdict};

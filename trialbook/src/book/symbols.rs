@@ -1,6 +1,6 @@
 //! The index of symbols: the paper's, the code's, what they mean and in which units.
 
-use super::{context::Context, error::Html, tables::tried, text::in_code};
+use super::{context::Context, error::Html, table::tried, text::in_code};
 use std::collections::BTreeSet;
 
 pub(super) fn table_of(context: &Context<'_>) -> Html {

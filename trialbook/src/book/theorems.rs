@@ -3,9 +3,11 @@
 use super::{context::Context, error::Html, text::escape};
 use crate::ledger::Entry;
 use crate::notation::plain_formula;
+use crate::theorems::Known;
 use crate::theorems::prose::{Said, Writer, spoken};
 use crate::theorems::record::Accepted;
 use crate::theorems::source::Item;
+use crate::trials::Paper;
 
 pub(super) fn of_claim(context: &Context<'_>, entry: &Entry) -> Html {
     let all = context
@@ -20,16 +22,30 @@ pub(super) fn of_claim(context: &Context<'_>, entry: &Entry) -> Html {
 
 pub(super) fn beside(context: &Context<'_>) -> Html {
     let paper = context.ledger.paper;
-    let all = paper.known_theorems().beside(paper);
+    let all = paper.known_theorems().beside(paper.claim_ids());
     all.into_iter()
         .map(|(accepted, item)| theorem(context, accepted, item))
         .collect()
 }
 
+/// How the formula of a definition is written: `\\text{(13)}`, with a hat where it corrects or adds.
+fn formula(known: &Known, paper: &Paper, name: &str) -> Option<String> {
+    let (claim, printed) = known.formulas.get(name)?;
+    let (_, claim) = paper.find(claim)?;
+    let number = match claim.equation {
+        Some(number) => format!("({number})"),
+        None => claim.title.replace('$', ""),
+    };
+    Some(match printed {
+        true => format!("\\text{{{number}}}"),
+        false => format!("\\widehat{{\\text{{{number}}}}}"),
+    })
+}
+
 fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
     let paper = context.ledger.paper;
     let known = paper.known_theorems();
-    let formula = |name: &str| known.formula(paper, name);
+    let formula = |name: &str| formula(known, paper, name);
     let writer = Writer {
         sources: &known.sources,
         formula: &formula,

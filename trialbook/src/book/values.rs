@@ -3,7 +3,7 @@
 use super::{
     context::Context,
     error::{Fault, Html},
-    tables::table,
+    table::table,
 };
 use crate::trials::{Paper, compare::Failure};
 

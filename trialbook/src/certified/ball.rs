@@ -17,7 +17,7 @@ pub struct Ball {
 }
 
 /// Bits for `digits` decimals, with a few to spare.
-pub fn bits_for(digits: usize) -> usize {
+pub(crate) fn bits_for(digits: usize) -> usize {
     // log₂ 10 < 3.322
     digits * 3322 / 1000 + 16
 }
@@ -103,7 +103,7 @@ impl Ball {
     }
 
     /// Whether 0 lies in it.
-    pub fn holds_zero(&self) -> bool {
+    pub(crate) fn holds_zero(&self) -> bool {
         self.mid.clone().unsigned_abs() <= self.rad
     }
 

@@ -123,7 +123,7 @@ fn bar(rounds: u32) -> ProgressBar {
 
 /// What a round brings; nothing if somebody has asked to stop before its end.
 fn round(number: u32, ids: &[&str], jobs: Option<u16>) -> Result<Option<String>, Failure> {
-    if stop::asked() {
+    if stop::is_asked() {
         return Ok(None);
     }
     let output = asked(number, ids, jobs)?;
@@ -134,7 +134,7 @@ fn round(number: u32, ids: &[&str], jobs: Option<u16>) -> Result<Option<String>,
         // Ctrl-C reaches the round too, and may do so first.
         thread::sleep(Duration::from_millis(200));
     }
-    if stop::asked() {
+    if stop::is_asked() {
         return Ok(None);
     }
     let said = String::from_utf8_lossy(&output.stderr);

@@ -95,7 +95,7 @@ pub(super) fn distrust(edition: &Edition, ids: &[&str], format: Format) -> Resul
     let corners: Vec<_> = pairs
         .map(|(v, noticed)| corner_row(paper, v, noticed))
         .collect();
-    if stop::asked() {
+    if stop::is_asked() {
         complain(edition.name, "stopped: nothing is known of all trials");
         return Ok(stop::STOPPED);
     }

@@ -53,14 +53,14 @@ pub fn show(text: &str) -> io::Result<()> {
     let text = screen
         .width
         .map_or(text.to_owned(), |width| wrapped(text, width));
-    match screen.rows.is_some_and(|rows| text.lines().count() >= rows) && paged(&text) {
+    match screen.rows.is_some_and(|rows| text.lines().count() >= rows) && show_in_pager(&text) {
         true => Ok(()),
         false => say(&text),
     }
 }
 
 /// Whether a pager has shown it: `PAGER`, or `less`; there is none where that is empty.
-fn paged(text: &str) -> bool {
+fn show_in_pager(text: &str) -> bool {
     let pager = env::var("PAGER").unwrap_or_else(|_| "less".to_owned());
     let mut words = pager.split_whitespace();
     let Some(program) = words.next() else {
@@ -108,6 +108,6 @@ pub fn csv(headers: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Res
 }
 
 /// The refusal of a table where there is none.
-pub fn no_table() -> Failure {
+pub(crate) fn no_table() -> Failure {
     "--csv: this answer is no table".into()
 }

@@ -59,7 +59,7 @@ pub(super) fn theorems(
     } else if wanted.questions {
         say(&record::questions(
             &known.sources,
-            &known.wanted(paper),
+            &known.wanted(paper.claim_ids()),
             &known.record,
         ))?;
     } else if let Some(folder) = &wanted.answers {
@@ -76,7 +76,7 @@ pub(super) fn theorems(
             let all = known.of_claim(claim.id).into_iter();
             all.map(|(accepted, _)| (claim.id, accepted))
         });
-        let beside = known.beside(paper).into_iter();
+        let beside = known.beside(paper.claim_ids()).into_iter();
         let beside = beside.map(|(accepted, _)| ("", accepted));
         let mut rows: Vec<_> = of_claims.chain(beside).collect();
         rows.retain(|(claim, accepted)| {

@@ -29,8 +29,9 @@ mod statement;
 #[cfg(test)]
 mod tests;
 
+pub use list::Relation;
 pub use read::{Lexicon, Value};
-pub use statement::{Piece, Relation, Side, Statement, statements};
+pub use statement::{Piece, Side, Statement, statements};
 
 /// Why a text is not understood, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

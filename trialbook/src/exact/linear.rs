@@ -1,7 +1,7 @@
 //! Linear equations for free symbols: how the coefficients of a power series are found.
 
 use super::error::ExactError;
-use super::origin::Made;
+use super::rational::Made;
 use super::rational::Rational;
 use super::ring::Ring;
 

@@ -2,17 +2,9 @@
 
 use super::constant_folding::folded;
 use super::expr::{Expr, Node};
-use super::rational::Rational;
+use super::rational::{Made, Rational};
 use super::ring::{Ring, Rule};
 use std::collections::BTreeSet;
-
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) enum Made {
-    #[default]
-    Given,
-    Read(u32),
-    Formed,
-}
 
 /// With whole numbers for the symbols that stand for such, and without idle parts.
 fn named(formula: Expr, ring: &Ring) -> Expr {

@@ -52,7 +52,7 @@ impl Polynomial {
     }
 
     /// The value, if no generator occurs.
-    pub fn as_constant(&self) -> Option<IBig> {
+    pub(crate) fn as_constant(&self) -> Option<IBig> {
         match self.terms.as_slice() {
             [] => Some(IBig::ZERO),
             [(m, c)] => m.is_empty().then(|| c.clone()),
@@ -70,7 +70,7 @@ impl Polynomial {
     }
 
     /// The coefficient of each generator, if this is a sum of multiples of them.
-    pub fn as_linear(&self) -> Option<Vec<(usize, IBig)>> {
+    pub(crate) fn as_linear(&self) -> Option<Vec<(usize, IBig)>> {
         let linear = |(m, c): &Term| {
             let single = m.iter().sum::<u32>() == 1;
             single.then(|| (m.len() - 1, c.clone()))
@@ -123,13 +123,13 @@ impl Polynomial {
     }
 
     /// The highest power of a generator.
-    pub fn degree_in(&self, generator: usize) -> u32 {
+    pub(crate) fn degree_in(&self, generator: usize) -> u32 {
         let powers = self.terms.iter().filter_map(|(m, _)| m.get(generator));
         powers.max().copied().unwrap_or(0)
     }
 
     /// The coefficients of the powers of one generator, as polynomials in the others.
-    pub fn coefficients_in(&self, generator: usize) -> BTreeMap<u32, Polynomial> {
+    pub(crate) fn coefficients_in(&self, generator: usize) -> BTreeMap<u32, Polynomial> {
         let mut parts: BTreeMap<u32, Polynomial> = BTreeMap::new();
         for (m, c) in &self.terms {
             let mut rest = m.clone();
@@ -162,7 +162,7 @@ impl Polynomial {
     }
 
     /// A number times powers of generators, and what that leaves when divided out.
-    pub fn split_monomial(&self) -> (Polynomial, Polynomial) {
+    pub(crate) fn split_monomial(&self) -> (Polynomial, Polynomial) {
         let monomial = Self::collect(vec![(self.common(), self.content())]);
         match self.divide_exact(&monomial) {
             Some(rest) => (monomial, rest),
@@ -171,7 +171,7 @@ impl Polynomial {
     }
 
     /// The quotient, if `divisor` divides without a remainder; `None` also for divisor 0.
-    pub fn divide_exact(&self, divisor: &Polynomial) -> Option<Polynomial> {
+    pub(crate) fn divide_exact(&self, divisor: &Polynomial) -> Option<Polynomial> {
         let ((lead, lead_c), below) = divisor.terms.split_last()?;
         let over_lead = |(m, c): (&Monomial, &IBig)| {
             let (factor, rest) = c.div_rem(lead_c);

@@ -1,11 +1,19 @@
 //! Rational functions in several generators over ℚ: a numerator over a product of factors, cancelled by exact
 //! division. That keeps degrees low without a greatest common divisor.
 
-use super::origin::Made;
 use super::polynomial::Polynomial;
 use dashu_int::IBig;
 use dashu_int::ops::Gcd;
 use std::ops::{Add, Mul, Neg, Sub};
+
+/// How it came about.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum Made {
+    #[default]
+    Given,
+    Read(u32),
+    Formed,
+}
 
 /// A rational function: numerator / (number × product of factors to positive powers).
 ///
@@ -31,7 +39,7 @@ impl Rational {
     }
 
     /// The polynomial above the line.
-    pub fn numerator(&self) -> &Polynomial {
+    pub(crate) fn numerator(&self) -> &Polynomial {
         &self.numerator
     }
 
@@ -59,7 +67,7 @@ impl Rational {
     }
 
     /// The numerator is 0; says nothing about relations among generators.
-    pub fn is_literally_zero(&self) -> bool {
+    pub(crate) fn is_literally_zero(&self) -> bool {
         self.numerator.is_zero()
     }
 
@@ -84,7 +92,7 @@ impl Rational {
     }
 
     /// The coefficient of each generator, if this is a sum of multiples of 1/2 of them.
-    pub fn as_halves(&self) -> Option<Vec<(usize, i64)>> {
+    pub(crate) fn as_halves(&self) -> Option<Vec<(usize, i64)>> {
         let twice = self + self;
         if !twice.factors.is_empty() || twice.number != IBig::ONE {
             return None;
@@ -96,7 +104,7 @@ impl Rational {
     }
 
     /// The indices of the generators that occur.
-    pub fn generators(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn generators(&self) -> impl Iterator<Item = usize> {
         let below = self
             .factors
             .iter()
@@ -152,7 +160,7 @@ impl Rational {
     }
 
     /// How many times `p` divides it: positive above the line, negative below; 0 for a constant `p`.
-    pub fn valuation(&self, p: &Polynomial) -> i64 {
+    pub(crate) fn valuation(&self, p: &Polynomial) -> i64 {
         if self.numerator.is_zero() || p.as_constant().is_some() {
             return 0;
         }

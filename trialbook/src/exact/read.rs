@@ -2,7 +2,7 @@
 
 use super::error::ExactError;
 use super::expr::{Binary, Expr, Function, Node};
-use super::origin::Made;
+use super::rational::Made;
 use super::rational::Rational;
 use super::ring::{PI, Ring};
 use dashu_int::IBig;

@@ -77,7 +77,7 @@ impl Series {
     }
 
     /// The negative.
-    pub fn negated(self) -> Self {
+    pub(crate) fn negated(self) -> Self {
         self.mapped(|_, c| -&c)
     }
 

@@ -220,7 +220,7 @@ const HEAD: &str = "round\t";
 
 impl Rounds {
     /// What a round has brought, with its number, for [`Rounds::read`].
-    pub fn headed(number: u32, brought: &str) -> String {
+    pub(crate) fn headed(number: u32, brought: &str) -> String {
         format!("{HEAD}{number}\n{brought}")
     }
 

@@ -110,7 +110,7 @@ fn by_formula(variants: &[Variant]) -> BTreeMap<&str, Vec<usize>> {
 
 impl Ledger {
     /// How often [`Ledger::distrust`] puts a mistake to a trial.
-    pub fn mistakes_put(&self) -> usize {
+    pub(crate) fn mistakes_put(&self) -> usize {
         let variants = self.paper.formulas.variants();
         let of_formula = by_formula(&variants);
         let read = self.evidence().flat_map(|e| &e.read);

@@ -89,7 +89,7 @@ impl Ledger {
     }
 
     /// The claims resting on this one that have their error from others, and those that stand.
-    pub fn fallen_and_standing(&self, id: &str) -> [Vec<&'static str>; 2] {
+    pub(crate) fn fallen_and_standing(&self, id: &str) -> [Vec<&'static str>; 2] {
         let resting = self.resting_on(id).into_iter();
         let (wrong, standing): (Vec<_>, Vec<_>) = resting.partition(|id| self.is_wrong(id));
         let inherits = |id: &&str| self.entry(id).is_some_and(|e| !self.inherits(e).is_empty());
@@ -136,7 +136,7 @@ impl Ledger {
     }
 
     /// How many wrong claims, misprints aside, have an error of their own, and how many have it from others.
-    pub fn roots_and_heirs(&self) -> [usize; 2] {
+    pub(crate) fn roots_and_heirs(&self) -> [usize; 2] {
         let roots = self.roots().count();
         let misprints = self.counts()[&Verdict::Misprint];
         [roots, self.wrong() - misprints - roots]

@@ -14,7 +14,7 @@ pub(super) fn each<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> V
         let mut done = Vec::new();
         while let i = next.fetch_add(1, Ordering::Relaxed)
             && i < count
-            && !stop::asked()
+            && !stop::is_asked()
         {
             done.push((i, pool.install(|| work(i))));
         }

@@ -48,7 +48,7 @@ fn tried(
     let workers = rayon::current_num_threads();
     let shares = Shares::new(claims.len(), workers);
     let work = |worker| {
-        let next = move |shares: &Shares| shares.next(worker).filter(|_| !stop::asked());
+        let next = move |shares: &Shares| shares.next(worker).filter(|_| !stop::is_asked());
         let shares = &shares;
         iter::from_fn(move || next(shares)).map(|i| {
             let (topic, claim) = claims[i];
@@ -72,7 +72,7 @@ fn untried(
 }
 
 fn settled(paper: &'static Paper, mut entries: Vec<Entry>) -> Vec<Entry> {
-    while stop::asked() {
+    while stop::is_asked() {
         let left: Vec<_> = untried(paper, &entries).collect();
         let all = entries.len();
         entries.retain(|e| !left.iter().any(|(_, claim)| e.looks_at(claim)));
@@ -137,7 +137,7 @@ impl Ledger {
             entries.extend(tried(paper, wanted, &done));
             wanted = untried(paper, &entries)
                 .filter(|(_, claim)| entries.iter().any(|e| e.looks_at(claim)))
-                .filter(|_| !stop::asked())
+                .filter(|_| !stop::is_asked())
                 .collect();
         }
         Self::of(paper, settled(paper, entries)).about(ids)

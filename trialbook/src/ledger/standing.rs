@@ -35,7 +35,7 @@ impl Standing {
 
 impl Evidence {
     /// Whether sentences join the steps of the proof.
-    pub fn is_in_words(&self) -> bool {
+    pub(crate) fn is_in_words(&self) -> bool {
         self.route.is_proof() && self.compared.found().is_none()
     }
 }

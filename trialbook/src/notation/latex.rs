@@ -76,7 +76,7 @@ impl Reader<'_> {
         rest.is_some()
     }
 
-    fn tried<T>(&mut self, read: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
+    fn attempt<T>(&mut self, read: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         let (rest, mathematical) = (self.rest, self.mathematical);
         let found = read(self);
         if found.is_none() {
@@ -97,7 +97,7 @@ impl Reader<'_> {
 
     fn sides(&mut self) -> Option<Vec<String>> {
         let mut sides = vec![self.sum()?];
-        while let Some(side) = self.tried(|r| {
+        while let Some(side) = self.attempt(|r| {
             r.skip(" ");
             let sign = r.peek().filter(|c| RELATIONS.contains(*c))?;
             r.rest = &r.rest[sign.len_utf8()..];
@@ -111,8 +111,8 @@ impl Reader<'_> {
     }
 
     fn sum(&mut self) -> Option<String> {
-        let mut sum = self.signed()?;
-        while let Some(term) = self.tried(|r| {
+        let mut sum = self.read_signed()?;
+        while let Some(term) = self.attempt(|r| {
             let spaced = r.skip(" ");
             let sign = r.peek().filter(|c| "+−±".contains(*c))?;
             r.rest = &r.rest[sign.len_utf8()..];
@@ -120,14 +120,14 @@ impl Reader<'_> {
                 return None;
             }
             r.mathematical = true;
-            Some(format!(" {} {}", sign_command(sign), r.signed()?))
+            Some(format!(" {} {}", sign_command(sign), r.read_signed()?))
         }) {
             sum += &term;
         }
         Some(sum)
     }
 
-    fn signed(&mut self) -> Option<String> {
+    fn read_signed(&mut self) -> Option<String> {
         let negative = self.rest.starts_with('-') && self.rest[1..].starts_with(char::is_numeric);
         for (sign, latex) in [("−", "-"), ("±", r"\pm "), ("-", "-")] {
             if (sign != "-" || negative) && self.skip(sign) {
@@ -144,7 +144,7 @@ impl Reader<'_> {
         let mut flat = None;
         let mut so_far = first;
         let mut factors = 1;
-        while let Some((joint, next)) = self.tried(Self::next_factor) {
+        while let Some((joint, next)) = self.attempt(Self::next_factor) {
             factors += 1;
             flat = None;
             let latex = match joint {

@@ -163,27 +163,27 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
     }
 
     fn product(&mut self) -> Result<Formula<S>, ExpressionError> {
-        let mut product = self.signed()?;
+        let mut product = self.read_signed()?;
         while let Some(sign) = self.take(&['*', '·', '/']) {
             let f = if sign == '/' { S::div } else { S::mul };
-            product = Formula::two(f, product, self.signed()?);
+            product = Formula::two(f, product, self.read_signed()?);
         }
         Ok(product)
     }
 
     /// A power with signs before it: −2² is −4.
-    fn signed(&mut self) -> Result<Formula<S>, ExpressionError> {
+    fn read_signed(&mut self) -> Result<Formula<S>, ExpressionError> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(ExpressionError::Deep);
         }
         let value = match self.take(&['+', '-', '−']) {
-            Some('+') => self.signed()?,
-            Some(_) => Formula::one(S::neg, self.signed()?),
+            Some('+') => self.read_signed()?,
+            Some(_) => Formula::one(S::neg, self.read_signed()?),
             None => {
                 let base = self.atom()?;
                 match self.take(&['^']) {
-                    Some(_) => Formula::two(S::pow, base, self.signed()?),
+                    Some(_) => Formula::two(S::pow, base, self.read_signed()?),
                     None => base,
                 }
             }

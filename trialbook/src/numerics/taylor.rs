@@ -12,6 +12,9 @@ use super::{
 /// Order 26 serves f64 well.
 pub const TERMS: usize = 27;
 
+/// Taylor coefficients by the time, to the order of the integrator.
+pub type Coefficients = [f64; TERMS];
+
 /// A system of `D` ordinary differential equations x′ = f(t, x), by its series of `N` terms.
 pub trait System<T: Number, const D: usize, const N: usize> {
     /// Series that the system keeps for itself during a step.

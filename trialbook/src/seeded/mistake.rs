@@ -91,7 +91,7 @@ impl Seed {
 }
 
 thread_local! {
-    pub static SEED: Cell<Option<Seed>> = const { Cell::new(None) };
+    pub(crate) static SEED: Cell<Option<Seed>> = const { Cell::new(None) };
     /// And the one that is wanted.
     static PASSED: Cell<(usize, usize)> = const { Cell::new((0, usize::MAX)) };
     static PLACE: Cell<Option<Place>> = const { Cell::new(None) };
@@ -118,7 +118,7 @@ pub fn without<T>(f: impl FnOnce() -> T) -> T {
 }
 
 /// True if a mistake is seeded in one of these formulas.
-pub fn is_in_any(formulas: &std::collections::BTreeSet<&'static str>) -> bool {
+pub(crate) fn is_in_any(formulas: &std::collections::BTreeSet<&'static str>) -> bool {
     SEED.get()
         .is_some_and(|seed| formulas.contains(seed.formula))
 }

@@ -54,12 +54,12 @@ pub(super) fn note(formula: &'static str) {
 }
 
 /// Notes that shared runs are read on this thread.
-pub fn note_runs(runs: &'static Location<'static>) {
+pub(crate) fn note_runs(runs: &'static Location<'static>) {
     READ.with_borrow_mut(|read| read.as_mut().map(|read| read.runs.insert(runs)));
 }
 
 /// Notes that something fails on this thread.
-pub fn note_failure() {
+pub(crate) fn note_failure() {
     READ.with_borrow_mut(|read| read.as_mut().map(|read| read.failures += 1));
 }
 

@@ -43,7 +43,7 @@ impl Item {
     }
 
     /// True if it is a theorem or a lemma.
-    pub fn is_proved(&self) -> bool {
+    pub(crate) fn is_proved(&self) -> bool {
         PROVED.contains(&self.word)
     }
 }

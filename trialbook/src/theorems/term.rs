@@ -155,7 +155,7 @@ impl<'a> Reader<'a> {
     }
 
     fn term(&mut self) -> Option<Term> {
-        self.joined(0)
+        self.read_joined(0)
     }
 
     fn open(&mut self) -> Option<Term> {
@@ -210,7 +210,7 @@ impl<'a> Reader<'a> {
         Some(Term::If(Box::new(a), Box::new(b), Box::new(c)))
     }
 
-    fn joined(&mut self, level: usize) -> Option<Term> {
+    fn read_joined(&mut self, level: usize) -> Option<Term> {
         if BINDERS.contains(&self.next()) || matches!(self.next(), "let" | "if") {
             return self.open();
         }
@@ -219,13 +219,13 @@ impl<'a> Reader<'a> {
         };
         // Where `~` stands: tighter than "and", looser than "equal".
         if level == 4 && self.comes("~") {
-            return Some(Term::Before("~", Box::new(self.joined(4)?)));
+            return Some(Term::Before("~", Box::new(self.read_joined(4)?)));
         }
-        let first = self.joined(level + 1)?;
+        let first = self.read_joined(level + 1)?;
         let mut rest = Vec::new();
         while let Some(sign) = signs.iter().find(|sign| **sign == self.next()) {
             self.at += 1;
-            rest.push((*sign, self.joined(level + 1)?));
+            rest.push((*sign, self.read_joined(level + 1)?));
         }
         Some(match rest.is_empty() {
             true => first,
@@ -239,14 +239,14 @@ impl<'a> Reader<'a> {
                 return Some(Term::Before(sign, Box::new(self.before()?)));
             }
         }
-        let base = self.applied()?;
+        let base = self.read_applied()?;
         match self.comes("^") {
             true => Some(Term::Joined(Box::new(base), vec![("^", self.before()?)])),
             false => Some(base),
         }
     }
 
-    fn applied(&mut self) -> Option<Term> {
+    fn read_applied(&mut self) -> Option<Term> {
         let head = self.atom()?;
         let mut of = Vec::new();
         while self.next() == "("

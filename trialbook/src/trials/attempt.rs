@@ -104,11 +104,41 @@ impl fmt::Debug for Attempt {
 
 /// The list of a module's trials: functions, and by reference statements that are proved; or what they are,
 /// behind their names: `eq6_motion = tried(eq6_top, top)`, `&EQ1 = law(eq1_speed)`. Claims name them with the
-/// module: `time::eq13_motion`, `exact::EQ13`.
+/// module: `time::eq13_motion`, `exact::EQ13`. What is printed and what corrects it are one row, `eq75 | corrected75 =
+/// spin((…) | (…))`: the [`Subject`](crate::evidence::Subject) comes first, then what both share, `at_turns(TIME)((…) | (…))`, and
+/// what is each one's own.
 #[macro_export]
 macro_rules! trials {
     (@ [$($done:expr,)*] $(,)?) => {
         &[$($done),*]
+    };
+    (@ [$($done:expr,)*] $printed:ident | $corrected:ident =
+        $($row:ident)::+ (($($first:tt)*) | ($($second:tt)*)), $($rest:tt)*
+    ) => {
+        $crate::trials::attempt::trials!(@ [$($done,)*]
+            $printed | $corrected = $($row)::+()(($($first)*) | ($($second)*)), $($rest)*
+        )
+    };
+    (@ [$($done:expr,)*] $printed:ident | $corrected:ident =
+        $($row:ident)::+ ($($shared:expr),*)(($($first:expr),* $(,)?) | ($($second:expr),* $(,)?)), $($rest:tt)*
+    ) => {
+        $crate::trials::attempt::trials!(@ [$($done,)*]
+            $printed = $crate::trials::attempt::trials!(@row $($row)::+ [Printed $(, $shared)*] [$($first),*]),
+            $corrected = $crate::trials::attempt::trials!(@row $($row)::+ [Corrected $(, $shared)*] [$($second),*]),
+            $($rest)*
+        )
+    };
+    (@ [$($done:expr,)*] &$printed:ident | &$corrected:ident =
+        $($row:ident)::+ ($($shared:expr),*)(($($first:expr),* $(,)?) | ($($second:expr),* $(,)?)), $($rest:tt)*
+    ) => {
+        $crate::trials::attempt::trials!(@ [$($done,)*]
+            &$printed = $crate::trials::attempt::trials!(@row $($row)::+ [Printed $(, $shared)*] [$($first),*]),
+            &$corrected = $crate::trials::attempt::trials!(@row $($row)::+ [Corrected $(, $shared)*] [$($second),*]),
+            $($rest)*
+        )
+    };
+    (@row $($row:ident)::+ [$subject:ident $(, $shared:expr)*] [$($own:expr),*]) => {
+        $($row)::+($crate::evidence::Subject::$subject, $($shared,)* $($own),*)
     };
     (@ [$($done:expr,)*] & $name:ident = $statement:expr, $($rest:tt)*) => {
         $crate::trials::attempt::trials!(@ [

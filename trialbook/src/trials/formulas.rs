@@ -36,7 +36,7 @@ impl Formulas {
     };
 
     /// The formula of this path is one of the paper's.
-    pub fn is_printed(&self, path: &str) -> bool {
+    pub(crate) fn is_printed(&self, path: &str) -> bool {
         !path.contains(self.corrections)
     }
 

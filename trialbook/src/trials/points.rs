@@ -4,14 +4,14 @@ use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The seed of every random point.
-pub const SEED: u64 = 2026;
+pub(crate) const SEED: u64 = 2026;
 
 /// 0 for a usual one.
 static ROUND: AtomicU64 = AtomicU64::new(0);
 
 /// Has all points drawn from here on belong to this round; only before the first trial of a process, as what
 /// trials share is made once.
-pub fn set_round(round: u64) {
+pub(crate) fn set_round(round: u64) {
     ROUND.store(round, Ordering::Relaxed);
 }
 

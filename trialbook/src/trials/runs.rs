@@ -1,7 +1,6 @@
 //! What several trials share: motions that are followed once, and why one could not be.
 
 use super::points::shared;
-use super::values::NotDecimal;
 use crate::certified::error::CertifiedError;
 use crate::numerics::NumericsError;
 use crate::seeded;
@@ -46,14 +45,7 @@ macro_rules! failures {
 
 pub use failures;
 
-failures!(
-    &str,
-    String,
-    ParseFloatError,
-    CertifiedError,
-    NotDecimal,
-    NumericsError
-);
+failures!(&str, String, ParseFloatError, CertifiedError, NumericsError);
 
 /// What is set up and has not moved yet, such as a drive: who uses it has read nothing.
 pub trait Setting {}

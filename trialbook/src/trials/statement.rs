@@ -121,7 +121,7 @@ impl<F> Proved for Statement<F> {
 ///
 /// # Errors
 /// [`Obstacle`] if one of them does not hold.
-pub fn given(p: &mut Prover<'_>, known: &[&dyn Proved]) -> Result<(), Obstacle> {
+pub fn rest_on(p: &mut Prover<'_>, known: &[&dyn Proved]) -> Result<(), Obstacle> {
     known
         .iter()
         .try_for_each(|known| p.rests_on(&known.proof()))

@@ -234,4 +234,4 @@ const FARTHEST: i64 = 300;
 pub const KNOWN: usize = 11;
 
 /// Significant digits shown of a number that can be enclosed.
-pub const ENCLOSED: usize = 20;
+pub(crate) const ENCLOSED: usize = 20;

@@ -33,7 +33,7 @@ impl Formulas {
     }
 
     /// The wrong variants of the formulas that the claim of this id tries.
-    pub fn variants_of_claim(&self, id: &str) -> Vec<Variant> {
+    pub(crate) fn variants_of_claim(&self, id: &str) -> Vec<Variant> {
         self.of_those(|formula| formula.claim().is_some_and(|claim| claim == id))
     }
 

@@ -145,7 +145,7 @@ impl Secant<'_> {
     }
 
     /// The mean between s₀ and `s`, and the value at `s`.
-    pub fn mean_value(&self, s: f64) -> (f64, f64) {
+    pub(crate) fn mean_value(&self, s: f64) -> (f64, f64) {
         let (mut mean, mut value) = (0.0, 0.0);
         for k in (0..=self.piece.degree).rev() {
             mean = mean * s + self.quotient[k];

@@ -6,7 +6,7 @@ use crate::claims::constant::prelude::*;
 use crate::paper::constant as paper;
 
 /// λ ≤ 1: v_x grows for ever, or, at λ = 1, the angle falls below every other.
-pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::shown(
+pub(crate) const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::shown(
     Within,
     r"for every $\lambda<1$ and every start $v_x$ grows by $A(1-\lambda)$ in each unit of time at least and $v_y^2$ never grows, so that $\tan\theta=v_y/v_x\to0$; for $\lambda=1$ and $\theta_0\neq\pi$ the time at which the velocity has the angle $\theta$ is finite for every $\theta$ between $\theta_0$ and 0, and beyond all bounds as $\theta\to0$",
     || {
@@ -18,7 +18,7 @@ pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::shown(
 
 fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
     prove("The velocity aligns", Regime::AnyAngle, |p, newton| {
-        given(p, &[&EQ6, &EQ7])?;
+        rest_on(p, &[&EQ6, &EQ7])?;
         p.rests_on(&at_the_border())?;
         let [a, lambda, v, theta] = symbols(["A", "λ", "v", "θ"]);
         let [vx, vy] = [v * theta.cos(), v * theta.sin()];
@@ -54,7 +54,7 @@ fn at_the_border() -> Proof {
 }
 
 /// In the end the particle slides against the plane's acceleration.
-pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::shown(
+pub(crate) const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::shown(
     Corrected,
     r"for every $\lambda\le1$, but for $\lambda=1$ with $\theta_0=\pi$: by (3) the cosine of the angle between $\bm v$ and $\bm A$ is $-\cos\theta$, and $\theta\to0$ is proved",
     || {
@@ -66,7 +66,7 @@ pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::shown(
 
 fn against((sense, [ax, ay]): (Expr, [Expr; 2])) -> Proof {
     prove("Which way it slides", Regime::AnyAngle, |p, _| {
-        given(p, &[&ALIGNS])?;
+        rest_on(p, &[&ALIGNS])?;
         let [a, v, theta] = symbols(["A", "v", "θ"]);
         let product = v * theta.cos() * ax + v * theta.sin() * ay;
         p.identity(
@@ -87,7 +87,7 @@ attempts![
         paper::s21_cannot_hold_sides::tree,
         |[left, right]| {
             prove("Friction cannot hold", Regime::AnyAngle, |p, _| {
-                given(p, &[&DEFINED, &EQ6])?;
+                rest_on(p, &[&DEFINED, &EQ6])?;
                 let [a, lambda] = symbols(["A", "λ"]);
                 p.note("μg by (5)", "λA");
                 let lack = p.read("The pull less the greatest friction", a - lambda * a)?;

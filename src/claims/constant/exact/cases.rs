@@ -32,7 +32,7 @@ fn component(
 /// λ = 1: the speed, after a proof that θ reaches 0 at no finite time.
 pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Obstacle> {
     let [v0, theta0, theta, a] = symbols(["v₀", "θ₀", "θ", "A"]);
-    given(p, &[&EQ11])?;
+    rest_on(p, &[&EQ11])?;
     let speed = paper::eq11_speed::tree();
     let read = p.read("The speed by (11)", speed)?;
     let (half, half0) = (theta / 2, theta0 / 2);
@@ -89,7 +89,7 @@ attempts![
     // v is a quotient by (14): what is above falls, to 0 at T, and what is below is positive.
     &EQ20 = by_newton(Printed, paper::eq20_stop_time::tree, |printed| {
         prove("(20): where (14) is 0", Regime::BeyondOne, |p, _| {
-            given(p, &[&EQ14])?;
+            rest_on(p, &[&EQ14])?;
             let [lambda, theta] = symbols(["λ", "θ"]);
             let below = p.read("λ + cos θ", lambda + theta.cos())?;
             p.positive("Below the line in (14)", &below)?;
@@ -106,7 +106,7 @@ attempts![
             "(20): the time at which the particle stops",
             Regime::BeyondOne,
             |p, newton| {
-                given(p, &[&EQ11, &EQ13])?;
+                rest_on(p, &[&EQ11, &EQ13])?;
                 let speed = p.read("The speed by (11)", paper::eq11_speed::tree())?;
                 p.zero(
                     "For θ → 0 the speed goes to 0",

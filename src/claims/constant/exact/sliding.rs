@@ -13,7 +13,7 @@ fn component_rate(title: &str, says: &str, component: Expr, printed: Expr) -> Pr
     })
 }
 
-pub const EQ6: Statement = by_newton(Printed, paper::eq6_vx_rate::tree, |printed| {
+pub(crate) const EQ6: Statement = by_newton(Printed, paper::eq6_vx_rate::tree, |printed| {
     let along = symbol("v") * symbol("θ").cos();
     component_rate(
         "(6): d(v cos θ)/dt",
@@ -23,7 +23,7 @@ pub const EQ6: Statement = by_newton(Printed, paper::eq6_vx_rate::tree, |printed
     )
 });
 
-pub const EQ7: Statement = by_newton(Printed, paper::eq7_vy_rate::tree, |printed| {
+pub(crate) const EQ7: Statement = by_newton(Printed, paper::eq7_vy_rate::tree, |printed| {
     let across = symbol("v") * symbol("θ").sin();
     component_rate(
         "(7): d(v sin θ)/dt",
@@ -39,7 +39,7 @@ fn log_speed_rate(p: &mut Prover<'_>, newton: &Newton) -> Result<Rational, Obsta
     p.quotient("(dv/v)/dθ by (1)", &growth, &newton.angle_rate)
 }
 
-pub const EQ9: Statement = by_newton(Within, paper::eq9_log_speed_rate::tree, |printed| {
+pub(crate) const EQ9: Statement = by_newton(Within, paper::eq9_log_speed_rate::tree, |printed| {
     prove("(9): (dv/v)/dθ", Regime::AnyAngle, |p, newton| {
         let rate = log_speed_rate(p, newton)?;
         let printed = p.read("The printed rate", printed)?;
@@ -101,7 +101,7 @@ pub const EQ12: Statement = by_newton(Within, eq12, |printed| {
         Err(error) => return Proof::impossible(title, error),
     };
     Proof::of(title, &newton.ring, |p| {
-        given(p, &[&EQ11])?;
+        rest_on(p, &[&EQ11])?;
         let speed = p.read("The speed", paper::eq11_speed::tree())?;
         let rate = newton.time_rate(&speed)? * p.ring().named("A")?;
         p.note("A dt/dθ by (1), with that speed", p.ring().text(&rate));
@@ -113,7 +113,7 @@ pub const EQ12: Statement = by_newton(Within, eq12, |printed| {
 
 pub const EQ13: Statement = by_newton(Within, paper::eq13_time::tree, |printed| {
     at_both_sides("(13): the time at angle θ", |p, newton| {
-        given(p, &[&EQ11])?;
+        rest_on(p, &[&EQ11])?;
         let speed = p.read("The speed", paper::eq11_speed::tree())?;
         let expected = newton.time_rate(&speed)?;
         p.note("dt/dθ by (1), with that speed", p.ring().text(&expected));

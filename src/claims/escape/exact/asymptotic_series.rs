@@ -60,7 +60,7 @@ fn rates() -> [Expr; 3] {
 
 /// They are (107) to (109).
 fn rewritten(p: &mut Prover<'_>) -> Result<(), Obstacle> {
-    given(
+    rest_on(
         p,
         &[&turntable::EQ107, &turntable::EQ108, &turntable::EQ109],
     )?;

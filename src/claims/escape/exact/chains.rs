@@ -62,7 +62,7 @@ pub(crate) fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
         ring(),
         |p| {
             p.shows("If, by (89), ρ stays bounded and the particle never comes to rest, its place converges, not to one beyond ρ = 1, the bound of (139), and p → 0.");
-            given(p, &[&turntable::EQ89, &turntable::EQ103])?;
+            rest_on(p, &[&turntable::EQ89, &turntable::EQ103])?;
             p.note(
                 "The bound, of (139), beyond which static friction holds nothing",
                 bound.to_string(),
@@ -116,7 +116,7 @@ pub(crate) fn comes_to_rest(bound: Expr) -> Proof {
         ring(),
         |p| {
             p.shows("If p + ρ is below 1, the bound of (139), at some time, the particle comes to rest after a finite time, with ρ below the bound, and stays.");
-            given(p, &[&turntable::EQ107, &turntable::EQ108])?;
+            rest_on(p, &[&turntable::EQ107, &turntable::EQ108])?;
             let [speed, rho, psi] = symbols(["p", "ρ", "ψ"]);
             let rate = motion::eq107_p_rate::tree() + motion::eq108_rho_rate::tree();
             let rate = p.read("The rate of p + ρ by (107) and (108)", rate)?;
@@ -132,7 +132,7 @@ pub(crate) fn comes_to_rest(bound: Expr) -> Proof {
 pub(crate) fn stops_along(ahead: Expr) -> Proof {
     polar("Where a particle stops, ψ → 0 or ψ → π", |p| {
         p.shows("If p → 0 after a finite time, with ρ > 0 there, then, up to whole turns, ψ → 0 or ψ → π.");
-        given(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
+        rest_on(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
         let [speed, ell, rho, xi] = symbols(["p", "ℓ", "ρ", "ξ"]);
         p.identity(
             ("dξ/dτ by (101)", ahead),
@@ -172,7 +172,7 @@ fn escapes(beyond: Beyond) -> Proof {
         ahead,
     } = beyond;
     polar("Beyond the bound of (127) the particle escapes", |p| {
-        given(p, &[&turntable::EQ110])?;
+        rest_on(p, &[&turntable::EQ110])?;
         p.rests_on(&pushed(bound, acceleration))?;
         p.rests_on(&stops_along(ahead))?;
         let [xi] = symbols(["ξ"]);
@@ -216,7 +216,7 @@ fn sum(p_formula: Expr, rho: Expr) -> Proof {
 fn alpha_grows(beyond: Beyond) -> Proof {
     polar("α grows without end", |p| {
         p.rests_on(&escapes(beyond))?;
-        given(
+        rest_on(
             p,
             &[&turntable::EQ103, &turntable::EQ107, &turntable::EQ108],
         )?;
@@ -250,7 +250,7 @@ fn relaxes(formula: Expr) -> Proof {
     };
     let rate = Proof::in_ring("(126) and (114)", near(), |p| {
         p.shows("The right side of (126) less that of (114) is 2 sin²(ψ/2) + 2 sinh²(α/2)/A, which vanishes with ψ and α.");
-        given(p, &[&turntable::EQ114])?;
+        rest_on(p, &[&turntable::EQ114])?;
         let [a, alpha, psi] = symbols(["A", "α", "ψ"]);
         let rate = p.read("(114)", motion::eq114_alpha_rate::tree())?;
         let stated = p.read("(126)", formula)?;
@@ -259,7 +259,7 @@ fn relaxes(formula: Expr) -> Proof {
         p.equal("They differ by these", &(&stated - &rate), &small)
     });
     polar("ψ relaxes near α = 0", |p| {
-        given(
+        rest_on(
             p,
             &[
                 &turntable::EQ107,

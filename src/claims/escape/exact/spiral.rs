@@ -184,7 +184,7 @@ fn ring() -> Result<Ring, ExactError> {
 }
 
 fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
-    given(
+    rest_on(
         p,
         &[
             &ALPHA_GROWS,
@@ -395,7 +395,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
 }
 
 fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
-    given(
+    rest_on(
         p,
         &[
             &turntable::EQ95,
@@ -492,7 +492,7 @@ fn speed() -> Expr {
 
 fn eq128(law: Expr) -> Proof {
     after("(128) in every escape", |p| {
-        given(p, &[&turntable::EQ114])?;
+        rest_on(p, &[&turntable::EQ114])?;
         let [a, alpha] = symbols(["A", "α"]);
         let [n, predator, h, t] = state();
         let psi = pi() / 2 - delta();
@@ -560,7 +560,7 @@ fn eq131(law: Expr) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("(131) in every escape", with_cubes(), |p| {
-        given(p, &[&turntable::EQ113, &EQ130])?;
+        rest_on(p, &[&turntable::EQ113, &EQ130])?;
         let [alpha] = symbols(["α"]);
         let rate = 2 * motion::eq113_a_rate::tree() * (-alpha).exp();
         p.identity(
@@ -618,7 +618,7 @@ pub(crate) fn square_of_speed(state: State) -> Expr {
 
 fn eq135(law: Expr) -> Proof {
     after("(135) in every escape", |p| {
-        given(p, &[&turntable::EQ111])?;
+        rest_on(p, &[&turntable::EQ111])?;
         has_limit(p, (speed(), 2, 4), square_of_speed, first(law))?;
         in_its_time(p, law)
     })
@@ -626,7 +626,7 @@ fn eq135(law: Expr) -> Proof {
 
 fn eq136(law: Expr) -> Proof {
     after("(136) in every escape", |p| {
-        given(p, &[&turntable::EQ112])?;
+        rest_on(p, &[&turntable::EQ112])?;
         let rho = motion::eq112_rho::tree();
         has_limit(p, (rho, 2, 4), square_of_distance, first(law))?;
         in_its_time(p, law)
@@ -635,7 +635,7 @@ fn eq136(law: Expr) -> Proof {
 
 fn eq137(law: Expr) -> Proof {
     after("(137) in every escape", |p| {
-        given(p, &[&EQ135])?;
+        rest_on(p, &[&EQ135])?;
         let speed = motion::eq105_arc_rate((EQ135.formulas)());
         let stated = p.read("The law, with L = ln τ", law)?;
         let one = Rational::int(1);

@@ -4,7 +4,8 @@
 //! all but (143). For that one, α dψ/dα = kψ − 2kα but for terms of the third order, with k = σ/(1 − σ): an equation that
 //! (143) solves, and to whose solutions every other comes as fast as those terms fall.
 
-use super::{chains, series};
+use super::series;
+use crate::claims::escape::exact::chains::{polar, stops_along};
 use crate::claims::rest::prelude::*;
 
 macro_rules! of_every_rest {
@@ -76,14 +77,48 @@ fn with_power() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
+pub(crate) fn settles() -> Proof {
+    let (limits, ahead) = (
+        printed::s4_near_rest_limits(),
+        motion::eq101_xi_rate::tree(),
+    );
+    polar("α and ψ at rest", |p| {
+        p.shows("If a motion with p < ρ comes to rest after a finite time, then α → 0, and, up to whole turns, ψ → 0, unless the particle comes straight in, with ψ → π.");
+        settle(p, limits, ahead)
+    })
+}
+
+pub(super) fn settle(
+    p: &mut Prover<'_>,
+    [alpha, psi]: [Expr; 2],
+    ahead: Expr,
+) -> Result<(), Obstacle> {
+    rest_on(
+        p,
+        &[
+            &turntable::EQ103,
+            &turntable::EQ110,
+            &turntable::EQ111,
+            &turntable::EQ112,
+        ],
+    )?;
+    p.note(
+        "At rest",
+        "ρ = σ > 0, as A² = ρ² − p² is positive at the start and never falls; so A → σ, and tanh α = p/ρ → 0",
+    );
+    p.vanishes("The stated limit of α", alpha)?;
+    p.rests_on(&stops_along(ahead))?;
+    p.vanishes("The stated limit of ψ", psi)
+}
+
 fn arriving(
     title: &str,
     ring: Result<Ring, ExactError>,
     steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
 ) -> Proof {
     Proof::in_ring(title, ring, |p| {
-        p.rests_on(&chains::settles())?;
-        given(
+        p.rests_on(&settles())?;
+        rest_on(
             p,
             &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
         )?;

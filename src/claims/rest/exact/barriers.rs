@@ -43,7 +43,7 @@ fn moved() -> Proof {
     };
     Proof::in_ring("The distance of a motion from a barrier", ring(), |p| {
         p.shows("For u = A − P − s K α³, with P(α, ψ), K > 0 and s = 1 or s = −1: du/dτ = R + m (A − P) + 3s K α² f, R being the rate of A − P on the surface A = P. Here f = −dα/dτ is at least 1/A − 1; m is in the steps.");
-        given(
+        rest_on(
             p,
             &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
         )?;
@@ -78,7 +78,7 @@ fn surface(formula: Expr) -> Proof {
     Proof::in_ring(title, surfaces::ring(), |p| {
         p.rests_on(&moved())?;
         p.rests_on(&surfaces::prove(formula))?;
-        given(p, &[&turntable::EQ110, &super::EQ139])?;
+        rest_on(p, &[&turntable::EQ110, &super::EQ139])?;
         let small = Series::monomial(Rational::int(1), 1, boundary::ENOUGH);
         let a = p.expand("P", formula, &[("α", &small)], ("α", 2))?;
         let left = imbalance(p.ring(), &a)?;
@@ -122,15 +122,15 @@ fn rest_or_escape(formula: Expr) -> Proof {
         );
         above(p)?;
         below(p, formula)?;
-        given(p, &[&super::chains::DICHOTOMY])?;
-        p.rests_on(&super::chains::settles())?;
+        rest_on(p, &[&super::chains::DICHOTOMY])?;
+        p.rests_on(&super::arrivals::settles())?;
         Ok(())
     })
 }
 
 /// Above the upper barrier a motion escapes.
 fn above(p: &mut Prover<'_>) -> Result<(), Obstacle> {
-    given(p, &[&fates::ESCAPES])?;
+    rest_on(p, &[&fates::ESCAPES])?;
     p.note(
         "Let s = 1, and u > 0 at the start",
         "if A > 1, the motion escapes. While A ≤ 1, α falls, as f > 0; and while u > 0 too, A > P ≥ 1/2: outside du/dτ ≥ −C′αu + 3α² − (C + C′) α^4 ≥ −C′αu, inside du/dτ ≥ m (u + α³) − Cα^4 ≥ u/4",
@@ -162,7 +162,7 @@ fn lower_than_one(formula: Expr) -> Proof {
 
 /// Below the lower barrier it comes to rest.
 fn below(p: &mut Prover<'_>, formula: Expr) -> Result<(), Obstacle> {
-    given(p, &[&turntable::EQ110, &super::EQ139])?;
+    rest_on(p, &[&turntable::EQ110, &super::EQ139])?;
     p.rests_on(&fates::comes_to_rest(printed::eq139_largest_sigma()))?;
     p.rests_on(&lower_than_one(formula))?;
     p.note(
@@ -176,7 +176,7 @@ fn lowest(formula: Expr) -> Proof {
     let title = "Every start near α = 0, and where the boundary is lowest";
     Proof::in_ring(title, least::ring(), |p| {
         p.rests_on(&least::prove(formula))?;
-        given(p, &[&BOUNDARY])?;
+        rest_on(p, &[&BOUNDARY])?;
         least::where_it_is(p, formula, Rational::int(2))?;
         Ok(())
     })

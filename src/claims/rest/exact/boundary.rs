@@ -42,7 +42,7 @@ pub(super) fn imbalance(ring: &Ring, a: &Series) -> Result<Series, ExactError> {
 
 fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
     p.shows("A surface A = 1 + α F₁ + α² F₂ + α³ F₃ + α^4 F₄, with F₁ = −cos²(ψ/2) and functions F₂, F₃ and F₄ of ψ, consists of motions by (113) to (115), up to terms of the order α^4.");
-    given(
+    rest_on(
         p,
         &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
     )?;

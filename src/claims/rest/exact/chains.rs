@@ -1,9 +1,7 @@
 //! Theorems about every motion on the table: that it rests or goes away, and how it stops.
 
 use super::arrivals;
-use crate::claims::escape::exact::chains::{
-    acceleration, comes_to_rest, polar, pushed, stops_along,
-};
+use crate::claims::escape::exact::chains::{acceleration, comes_to_rest, polar, pushed};
 use crate::claims::rest::prelude::*;
 
 pub(crate) const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
@@ -48,37 +46,10 @@ pub(crate) const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::shown(
     near_rest,
 );
 
-pub(crate) fn settles() -> Proof {
-    let (limits, ahead) = (NEAR_REST.formulas)();
-    polar("α and ψ at rest", |p| {
-        p.shows("If a motion with p < ρ comes to rest after a finite time, then α → 0, and, up to whole turns, ψ → 0, unless the particle comes straight in, with ψ → π.");
-        settle(p, limits, ahead)
-    })
-}
-
-fn settle(p: &mut Prover<'_>, [alpha, psi]: [Expr; 2], ahead: Expr) -> Result<(), Obstacle> {
-    given(
-        p,
-        &[
-            &turntable::EQ103,
-            &turntable::EQ110,
-            &turntable::EQ111,
-            &turntable::EQ112,
-        ],
-    )?;
-    p.note(
-        "At rest",
-        "ρ = σ > 0, as A² = ρ² − p² is positive at the start and never falls; so A → σ, and tanh α = p/ρ → 0",
-    );
-    p.vanishes("The stated limit of α", alpha)?;
-    p.rests_on(&stops_along(ahead))?;
-    p.vanishes("The stated limit of ψ", psi)
-}
-
 fn near_rest((limits, ahead): ([Expr; 2], Expr)) -> Proof {
     polar("How the particle comes to rest", |p| {
-        settle(p, limits, ahead)?;
-        given(
+        arrivals::settle(p, limits, ahead)?;
+        rest_on(
             p,
             &[
                 &arrivals::EQ140,

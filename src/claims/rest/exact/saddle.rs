@@ -17,7 +17,7 @@ fn ring() -> Result<Ring, ExactError> {
 pub(crate) fn prove(formula: Expr) -> Proof {
     let title = "The surfaces of constant σ close to ρ = 1";
     Proof::in_ring(title, ring(), |p| {
-        given(p, &[&turntable::EQ113, &turntable::EQ114])?;
+        rest_on(p, &[&turntable::EQ113, &turntable::EQ114])?;
         let ring = p.ring();
         let scaled = |name| Ok::<_, ExactError>(Series::new(1, vec![ring.named(name)?]));
         let one = Series::constant(Rational::int(1), ORDER);

@@ -83,7 +83,7 @@ fn with(known: &[Rational], next: &Rational, start: i64) -> Series {
 
 fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
     p.shows("ψ up to α^5 and A = σ + … up to α^6, as series in α whose coefficients are polynomials in ζ, with α dζ/dα = ζ (2σ − 1)/(1 − σ), meet (113) to (115) at six orders; ζ contains a constant that is free.");
-    given(
+    rest_on(
         p,
         &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
     )?;

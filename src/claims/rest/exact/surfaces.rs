@@ -20,7 +20,7 @@ pub(super) fn ring() -> Result<Ring, ExactError> {
 pub(crate) fn prove(formula: Expr) -> Proof {
     let title = "The surface of starts that come to rest at σ";
     Proof::in_ring(title, ring(), |p| {
-        given(
+        rest_on(
             p,
             &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
         )?;

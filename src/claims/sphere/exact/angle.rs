@@ -26,7 +26,7 @@ fn ring(sign: i64) -> Result<Ring, ExactError> {
 fn prove(title: &str, formula: &[Expr], rests_on: &Statement, particle: Expr) -> Proof {
     Proof::for_both_signs(|sign| {
         Proof::in_ring(title, ring(sign), |p| {
-            given(p, &[&EQ74, &S3_REDUCTION, rests_on])?;
+            rest_on(p, &[&EQ74, &S3_REDUCTION, rests_on])?;
             p.note("The sign of both angles", sign.to_string());
             let ring = p.ring();
             let names = [("A", "γ"), ("v₀", "u₀"), ("t", "τ")];
@@ -82,18 +82,11 @@ attempts![
             particle,
         )
     }),
-    &EQ82 = Vectorial::new(Printed, AS_A_PARTICLE, paper::eq82_time::parts, prove_eq82),
-    &CORRECTED_82 = Vectorial::new(Corrected, AS_A_PARTICLE, corrected::time::parts, prove_eq82),
-    &EQ83 = Vectorial::new(
-        Printed,
-        AS_A_PARTICLE,
-        paper::eq83_slip_at_time::parts,
-        prove_eq83,
+    &EQ82 | &CORRECTED_82 = Vectorial::new(AS_A_PARTICLE)(
+        (paper::eq82_time::parts, prove_eq82) | (corrected::time::parts, prove_eq82)
     ),
-    &CORRECTED_83 = Vectorial::new(
-        Corrected,
-        AS_A_PARTICLE,
-        corrected::slip_at_time::parts,
-        prove_eq83,
+    &EQ83 | &CORRECTED_83 = Vectorial::new(AS_A_PARTICLE)(
+        (paper::eq83_slip_at_time::parts, prove_eq83)
+            | (corrected::slip_at_time::parts, prove_eq83)
     ),
 ];

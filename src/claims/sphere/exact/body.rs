@@ -329,17 +329,14 @@ attempts![
         )
     }),
     &EQ74,
-    &EQ75 = Vectorial::new(
-        Printed,
-        BY_COMPONENTS,
-        || paper::eq75_spin(zeta()[2], u(), rho_rate()).into(),
-        prove_eq75,
-    ),
-    &CORRECTED_75 = Vectorial::new(
-        Corrected,
-        BY_COMPONENTS,
-        || corrected::spin(zeta()[2], u(), rho_rate()).into(),
-        prove_eq75,
+    &EQ75 | &CORRECTED_75 = Vectorial::new(BY_COMPONENTS)(
+        (
+            || paper::eq75_spin(zeta()[2], u(), rho_rate()).into(),
+            prove_eq75
+        ) | (
+            || corrected::spin(zeta()[2], u(), rho_rate()).into(),
+            prove_eq75
+        )
     ),
     &EQ77 = Vectorial::new(
         Printed,

@@ -37,7 +37,7 @@ fn ring() -> Result<Ring, ExactError> {
 
 fn carried(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
     Proof::in_ring(title, ring(), |p| {
-        given(p, &[&S3_REDUCTION])?;
+        rest_on(p, &[&S3_REDUCTION])?;
         p.rests_on(&body::prove_rolling())?;
         steps(p)
     })
@@ -56,21 +56,21 @@ fn as_of_a_particle(p: &mut Prover<'_>, lambda0: Expr) -> Result<(), Obstacle> {
 fn pulse(lambda0: Expr) -> Proof {
     carried("The pulse train of the sphere", |p| {
         as_of_a_particle(p, lambda0)?;
-        given(p, &[&pulses::EQ44, &pulses::EQ45, &pulses::EQ46])
+        rest_on(p, &[&pulses::EQ44, &pulses::EQ45, &pulses::EQ46])
     })
 }
 
 fn any_drive(lambda0: Expr) -> Proof {
     carried("The sphere under any periodic drive", |p| {
         as_of_a_particle(p, lambda0)?;
-        given(p, &[&REST_ABOVE_ONE, &MOSTLY_AT_REST, &THRESHOLD])
+        rest_on(p, &[&REST_ABOVE_ONE, &MOSTLY_AT_REST, &THRESHOLD])
     })
 }
 
 fn trichotomy([lambda0, critical]: [Expr; 2]) -> Proof {
     carried("The driven sphere", |p| {
         as_of_a_particle(p, lambda0)?;
-        given(p, &[&attraction::TRICHOTOMY, &anisotropy::X])?;
+        rest_on(p, &[&attraction::TRICHOTOMY, &anisotropy::X])?;
         let [q, at] = anisotropic::eq57_x::<Expr>();
         let same = p.read("q of X, where A and B meet", q)?;
         p.equal("It is 1", &same, &Rational::int(1))?;
@@ -99,7 +99,7 @@ fn regions(lambda0: Expr) -> Proof {
         ] {
             p.identity((says, particle), ("by (85) and (49) or (50)", stated))?;
         }
-        given(
+        rest_on(
             p,
             &[
                 &motions::FIRST,

@@ -1,7 +1,6 @@
 //! From text to a list of items: names, numbers, signs, and what stands within each other.
 
 use super::super::Function;
-use super::statement::Relation;
 use super::{LatexError, Problem};
 use crate::notation::letters::GREEK;
 
@@ -309,5 +308,55 @@ impl Lister {
             digits.extend(next);
             self.at += 1;
         }
+    }
+}
+
+/// How two sides are related.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Relation {
+    /// =
+    Equal,
+    /// <
+    Less,
+    /// >
+    Greater,
+    /// ≤
+    AtMost,
+    /// ≥
+    AtLeast,
+    /// ~
+    Like,
+    /// ≈
+    About,
+    /// ≃
+    Nearly,
+    /// ≪
+    MuchLess,
+    /// ≫
+    MuchGreater,
+    /// →
+    Tends,
+}
+
+const RELATIONS: &[(&str, Relation)] = &[
+    ("=", Relation::Equal),
+    ("<", Relation::Less),
+    (">", Relation::Greater),
+    ("\\leq", Relation::AtMost),
+    ("\\le", Relation::AtMost),
+    ("\\geq", Relation::AtLeast),
+    ("\\ge", Relation::AtLeast),
+    ("\\sim", Relation::Like),
+    ("\\approx", Relation::About),
+    ("\\simeq", Relation::Nearly),
+    ("\\ll", Relation::MuchLess),
+    ("\\gg", Relation::MuchGreater),
+    ("\\to", Relation::Tends),
+];
+
+impl Relation {
+    fn of(token: &str) -> Option<Self> {
+        let known = RELATIONS.iter().find(|(name, _)| *name == token);
+        known.map(|(_, relation)| *relation)
     }
 }

@@ -193,7 +193,11 @@ impl Lexicon {
             && let Kind::Function(name) = function.kind
         {
             *items = rest;
-            return Ok(Value::Number(self.applied(name, items, function.at)?));
+            return Ok(Value::Number(self.read_applied(
+                name,
+                items,
+                function.at,
+            )?));
         }
         let base = self.base(items, at)?;
         let Some(exponent) = self.exponent(items)? else {
@@ -214,7 +218,7 @@ impl Lexicon {
         self.number(exponent, first.at).map(Some)
     }
 
-    fn applied(
+    fn read_applied(
         &self,
         function: Function,
         items: &mut &[Item],
@@ -246,7 +250,7 @@ impl Lexicon {
     }
 
     fn base(&self, items: &mut &[Item], at: usize) -> Result<Value, LatexError> {
-        if let Some(value) = self.named(items) {
+        if let Some(value) = self.read_named(items) {
             return Ok(value);
         }
         let Some((first, rest)) = items.split_first() else {
@@ -269,7 +273,7 @@ impl Lexicon {
         }
     }
 
-    fn named(&self, items: &mut &[Item]) -> Option<Value> {
+    fn read_named(&self, items: &mut &[Item]) -> Option<Value> {
         let operator = |item: &Item| matches!(item.kind, Kind::Mark(_));
         let fits = |name: &&(Vec<Item>, Value)| {
             let (name, _) = name;

@@ -1,58 +1,8 @@
 //! A text split into statements, a statement into sides.
 
-use super::list::{Item, Kind, items};
+use super::list::{Item, Kind, Relation, items};
 use super::read::{Lexicon, Value};
 use super::{LatexError, Problem};
-
-/// How two sides are related.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Relation {
-    /// =
-    Equal,
-    /// <
-    Less,
-    /// >
-    Greater,
-    /// ≤
-    AtMost,
-    /// ≥
-    AtLeast,
-    /// ~
-    Like,
-    /// ≈
-    About,
-    /// ≃
-    Nearly,
-    /// ≪
-    MuchLess,
-    /// ≫
-    MuchGreater,
-    /// →
-    Tends,
-}
-
-const RELATIONS: &[(&str, Relation)] = &[
-    ("=", Relation::Equal),
-    ("<", Relation::Less),
-    (">", Relation::Greater),
-    ("\\leq", Relation::AtMost),
-    ("\\le", Relation::AtMost),
-    ("\\geq", Relation::AtLeast),
-    ("\\ge", Relation::AtLeast),
-    ("\\sim", Relation::Like),
-    ("\\approx", Relation::About),
-    ("\\simeq", Relation::Nearly),
-    ("\\ll", Relation::MuchLess),
-    ("\\gg", Relation::MuchGreater),
-    ("\\to", Relation::Tends),
-];
-
-impl Relation {
-    pub(super) fn of(token: &str) -> Option<Self> {
-        let known = RELATIONS.iter().find(|(name, _)| *name == token);
-        known.map(|(_, relation)| *relation)
-    }
-}
 
 /// One formula: its sides and the relations between them, without a label such as `\text{A:}` or words
 /// behind.

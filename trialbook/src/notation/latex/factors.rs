@@ -46,19 +46,19 @@ impl Reader<'_> {
                 self.skip("…");
                 Factor::simple(r"\ldots ".into())
             }
-            _ => self.named()?,
+            _ => self.read_named()?,
         };
         self.scripts(factor)
     }
 
-    fn named(&mut self) -> Option<Factor> {
+    fn read_named(&mut self) -> Option<Factor> {
         let letters = self.rest.find(|c: char| !c.is_ascii_alphabetic());
         let word = &self.rest[..letters.unwrap_or(self.rest.len())];
         if let Some(name) = FUNCTIONS.iter().find(|name| **name == word) {
             self.skip(name);
             return self.function(name);
         }
-        match self.tried(Self::differential) {
+        match self.attempt(Self::differential) {
             Some(differential) => Some(Factor::simple(differential)),
             None => Some(Factor::simple(self.symbol()?)),
         }
@@ -71,7 +71,7 @@ impl Reader<'_> {
             let argument = self.group('(', ')', true)?.latex;
             // Behind an exponential a power is plain enough, and a negative one is no inverse function.
             if name != "exp" && power.is_empty() && !self.rest.starts_with("^(−") {
-                let own = self.tried(Self::power);
+                let own = self.attempt(Self::power);
                 power = own.map_or(power, |own| format!("^{{{own}}}"));
             }
             argument
@@ -81,7 +81,7 @@ impl Reader<'_> {
                 return None;
             }
             let mut argument = self.factor()?.latex;
-            while let Some(next) = self.tried(|r| {
+            while let Some(next) = self.attempt(|r| {
                 let c = r.peek()?;
                 (c.is_ascii_alphabetic() || is_letter(c)).then_some(())?;
                 r.factor()
@@ -122,7 +122,7 @@ impl Reader<'_> {
         };
         let above = one(self)?;
         self.mathematical = true;
-        let below = self.tried(|r| {
+        let below = self.attempt(|r| {
             r.skip("/").then_some(())?;
             one(r)
         });

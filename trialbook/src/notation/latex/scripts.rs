@@ -23,7 +23,7 @@ impl Reader<'_> {
             } else if self.rest.starts_with(['\'', '′']) {
                 self.rest = &self.rest[self.peek().map_or(0, char::len_utf8)..];
                 "'".into()
-            } else if let Some(power) = self.tried(Self::power) {
+            } else if let Some(power) = self.attempt(Self::power) {
                 self.mathematical = true;
                 format!("^{{{power}}}")
             } else {

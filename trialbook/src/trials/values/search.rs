@@ -3,7 +3,7 @@
 use super::{ENCLOSED, Value, decimal, fraction, on_balls, places, shortest};
 use crate::certified::ball::Ball;
 use crate::numerics::expression::expression;
-use crate::trials::compare::Failure;
+use crate::trials::runs::{Failure, failures};
 use serde::Serialize;
 
 /// A number found among those of the claims.
@@ -45,6 +45,8 @@ pub enum Form {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("`{0}` is no decimal number such as 0.537 or -4.6e0")]
 pub struct NotDecimal(String);
+
+failures!(NotDecimal);
 
 /// Digits given beyond so many are not looked at.
 const LONGEST: usize = 1000;

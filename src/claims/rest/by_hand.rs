@@ -1,4 +1,4 @@
-//! The two numbers of each case by hand, and the numbers by which claims can be found. The words are in the claims' entries.
+//! The two numbers of each case by hand. The words are in the claims' entries.
 
 use super::boundary::SURFACES;
 use super::prelude::*;
@@ -29,21 +29,8 @@ pub(super) static CASES: [Numbers; 4] = [
     ),
 ];
 
-pub(super) static VALUES: [Number; 8] = [
-    Number::new("critical-radius", || Ok(turntable::critical_radius()?)),
-    Number::new("critical-speed", || Ok(turntable::critical_speed()?)),
-    Number::new("envelope", || Ok(printed::eq147_a(0.1))),
-    Number::new("boundary-least", || Ok(corrected::boundary_least(0.1))),
-    Number::new("boundary", boundary_example),
-    Number::new("boundary-series", || Ok(corrected::boundary_a(0.1, 0.2))),
-    Number::new("boundary-slope", || Ok(corrected::boundary_slope(PI / 2.0))),
-    Number::new("boundary-curvature", || {
-        Ok(corrected::boundary_curvature(0.0))
-    }),
-];
-
 /// A on the boundary at α = 0.1, ψ = 0.2; computed once.
-fn boundary_example() -> Result<f64, Failure> {
+pub(super) fn boundary_example() -> Result<f64, Failure> {
     static A: Runs<f64> = Runs::new(|| Ok(turntable::boundary(0.1, 0.2)?));
     A.get().copied()
 }

@@ -48,6 +48,7 @@
 //! mdBook renders the pages before anything is known of the verdicts, with marks in the place of formulas and of what
 //! fills the placeholders: it then reads a tenth of the text, and the rest is put in last.
 
+mod answers;
 mod assembly;
 mod assets;
 mod atomic_replace;
@@ -55,26 +56,29 @@ mod claim_box;
 mod code;
 mod context;
 mod deep;
+mod equation_links;
 mod errata;
 mod error;
+mod excuses;
 mod expand;
 mod fill;
 mod formula_diff;
+mod ledger_tables;
 mod lemmas;
 mod links;
 mod map;
 mod maths;
 mod metadata;
+mod method_tables;
 mod moved;
-mod numbers;
-mod overview;
 mod pages;
 mod pieces;
 mod register;
 mod rows;
 mod search;
+mod skeleton;
 mod symbols;
-mod tables;
+mod table;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -87,7 +91,7 @@ pub use error::BookError;
 pub use links::{dead_links, files_below};
 pub use pieces::{Piece, pieces};
 pub use register::register;
-pub use tables::{code, table};
+pub use table::{code, table};
 pub use text::escape;
 
 use crate::ledger::Ledger;

@@ -3,22 +3,6 @@
 //! A formula is read as a tree ([`Expr`]), put into a differential ring ([`Ring`]) where sines, exponentials,
 //! powers and roots are rational functions of a few generators, and tested for zero; or read as a power
 //! [`Series`]. A [`Proof`] keeps the steps for a reader.
-//!
-//! ```
-//! use trialbook::exact::{Expr, Proof, Ring};
-//! use trialbook::scalar::Scalar;
-//!
-//! let mut ring = Ring::new();
-//! ring.angle("θ");
-//! let theta = Expr::symbol("θ");
-//! let proof = Proof::of("sin′ = cos", &ring, |p| {
-//!     let sine = p.read("the sine", theta.sin())?;
-//!     let slope = p.derivative("d sin θ/dθ", &sine, &ring.by("θ")?)?;
-//!     let cosine = p.read("the cosine", theta.cos())?;
-//!     p.equal("they are the same", &slope, &cosine)
-//! });
-//! assert!(proof.holds());
-//! ```
 
 mod calculus;
 mod constant_folding;

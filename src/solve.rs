@@ -7,7 +7,7 @@
 //! Cost: a few motions, which have their [limits](crate::motion): milliseconds as a rule, some tenths of a second on
 //! the turntable's boundary.
 //!
-#![doc = include_str!("axes/library.md")]
+#![doc = include_str!("solve/axes/library.md")]
 //!
 //! What is given is taken as exact: an `f64` as the number that it is, a typed decimal fraction as it stands
 //! ([`Double`]).
@@ -26,11 +26,11 @@ pub mod anisotropic;
 /// Which way the axes of the problems point, as Markdown: words and a sketch.
 pub mod axes {
     /// Where the plane has one acceleration.
-    pub const LINE: &str = include_str!("axes/line.md");
+    pub const LINE: &str = include_str!("solve/axes/line.md");
     /// Where it is driven to and fro.
-    pub const DRIVE: &str = include_str!("axes/drive.md");
+    pub const DRIVE: &str = include_str!("solve/axes/drive.md");
     /// On the turntable.
-    pub const TABLE: &str = include_str!("axes/table.md");
+    pub const TABLE: &str = include_str!("solve/axes/table.md");
 }
 pub mod constant;
 pub mod periodic;

@@ -19,7 +19,8 @@ mod theorems;
 pub use crate::book::bare;
 pub use crate::notation::ascii;
 pub use crate::stop;
-pub use output::{VERSION, bom, complain, csv, json, no_table, say, show, unwritten};
+use output::no_table;
+pub use output::{VERSION, bom, complain, csv, json, say, show, unwritten};
 pub use screen::{Screen, progress, screen};
 pub use shard::Shard;
 

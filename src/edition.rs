@@ -25,8 +25,8 @@ pub static EDITION: Edition = Edition {
     version: env!("CARGO_PKG_VERSION"),
     title: "Slipbook",
     description: "Every claim of the paper \"Slipping and rolling on a rough accelerating surface\", tried and judged",
-    icon: include_str!("../../book/theme/favicon.svg"),
-    picture: Some(("share.png", include_bytes!("../../book/theme/share.png"))),
+    icon: include_str!("../book/theme/favicon.svg"),
+    picture: Some(("share.png", include_bytes!("../book/theme/share.png"))),
     // Once the book is published: `Some("https://…/")`, and where the sources are.
     address: None,
     repository: None,
@@ -35,7 +35,7 @@ pub static EDITION: Edition = Edition {
     usual: &[],
     figures: || Ok(figures::all()?),
     symbols: symbols::SYMBOLS,
-    aliases: include_str!("../../book/search.tsv"),
+    aliases: include_str!("../book/search.tsv"),
     breaks: |id| {
         let claims = breaks::claims();
         let known = claims.iter().any(|claim| claim.id == id);
@@ -118,7 +118,7 @@ fn motion(topic: &str) -> Option<&'static str> {
     Some(match topic {
         "general" | "constant" => "motion/src/particle.rs",
         "sphere" => "motion/src/sphere.rs",
-        "turntable" | "escape" | "rest" => "motion/src/turntable/mod.rs",
-        _ => "motion/src/drive/mod.rs",
+        "turntable" | "escape" | "rest" => "motion/src/turntable.rs",
+        _ => "motion/src/drive.rs",
     })
 }

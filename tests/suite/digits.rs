@@ -13,9 +13,9 @@
 
 mod certified;
 mod explorers;
-mod tables;
 mod tally;
 mod turntable;
+mod values;
 mod vectors;
 
 use slipbook::numerics::double::Double;

@@ -69,7 +69,7 @@ impl Entry {
     }
 
     /// It holds under a condition which the paper does not state.
-    pub fn is_conditional(&self) -> bool {
+    pub(crate) fn is_conditional(&self) -> bool {
         self.judgement.verdict.has_condition()
     }
 

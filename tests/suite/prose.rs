@@ -5,6 +5,7 @@
 mod by_hand;
 mod compare;
 mod corrections;
+mod decimals;
 mod drawn;
 mod files;
 mod formulas;
@@ -12,7 +13,6 @@ mod given;
 mod letters;
 mod meaning;
 mod mistakes;
-mod numbers;
 mod page_formulas;
 mod print;
 mod printed_part;

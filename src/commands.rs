@@ -37,7 +37,7 @@ pub(crate) fn answered(words: &[String], format: Format) -> Result<Value, Failur
     Ok(answer)
 }
 
-fn told(answer: &Value) -> Result<(), Failure> {
+fn print(answer: &Value) -> Result<(), Failure> {
     match answer {
         Value::String(text) => Ok(show(text)?),
         answer => json(answer),
@@ -48,11 +48,11 @@ fn told(answer: &Value) -> Result<(), Failure> {
 pub(crate) const ALL: [Command; 5] = [
     Command {
         command: measure::command,
-        run: |matches, format| measure::run(matches, format, &mut told),
+        run: |matches, format| measure::run(matches, format, &mut print),
     },
     Command {
         command: scene::command,
-        run: |matches, format| scene::run(matches, format, &mut told),
+        run: |matches, format| scene::run(matches, format, &mut print),
     },
     Command {
         command: || {

@@ -24,11 +24,13 @@ mod attractor;
 mod intervals;
 mod margins;
 mod planar;
+mod sign;
 
 pub use attractor::{Agreement, Attractor, Outcome, Periods};
-pub use intervals::{Interval, Sign, ZERO_LENGTH};
+pub use intervals::{Interval, ZERO_LENGTH};
 pub use margins::Margins;
 pub use planar::PlanarState;
+pub use sign::Sign;
 
 use crate::numerics::{
     NumericsError,

@@ -1,4 +1,4 @@
-//! The two numbers of each case by hand, and the numbers by which claims can be found. The words are in the claims' entries.
+//! The two numbers of each case by hand. The words are in the claims' entries.
 
 use super::prelude::*;
 
@@ -33,13 +33,6 @@ pub(super) static CASES: [Numbers; 3] = [
             Ok(libm::hypot(slip[0], slip[1]))
         },
     ),
-];
-
-pub(super) static VALUES: [Number; 4] = [
-    Number::new("kappa-solid", || Ok(2.0 / 5.0)),
-    Number::new("b-solid", || Ok(printed::eq67_factor(0.4))),
-    Number::new("b-hollow", || Ok(printed::eq67_factor(2.0 / 3.0))),
-    Number::new("slip-end", || Ok(14.0 / 33.0)),
 ];
 
 /// A solid sphere thrown across with slip velocity 1 and no spin, on a plane with A = γμg, units of R and μg.

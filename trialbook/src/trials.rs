@@ -87,7 +87,7 @@ impl Sort {
     }
 
     /// The claim needs it, and the paper does not state it with the claim.
-    pub fn is_added(self) -> bool {
+    pub(crate) fn is_added(self) -> bool {
         self.is_degenerate() || self == Sort::Substance
     }
 
@@ -176,7 +176,7 @@ pub struct Excuse {
 
 impl Claim {
     /// What sort of statement it is, in a word; of one of our own, that too.
-    pub fn kind_name(&self) -> String {
+    pub(crate) fn kind_name(&self) -> String {
         let own = if self.ours { ", derived here" } else { "" };
         self.kind.name().to_owned() + own
     }
@@ -309,7 +309,12 @@ static NO_THEOREMS: Theorems = Theorems::new(Folder::None, NONE);
 impl Paper {
     /// What is known of its theorems.
     pub fn known_theorems(&self) -> &Known {
-        self.theorems.known(self)
+        self.theorems.known(&self.formulas)
+    }
+
+    /// The ids of its claims, in order.
+    pub fn claim_ids(&self) -> impl Iterator<Item = &'static str> {
+        self.claims().map(|(_, claim)| claim.id)
     }
 
     /// All but its title, its topics and its record may be blank.
