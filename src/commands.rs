@@ -20,9 +20,6 @@ use trialbook::publishing::{Command, Failure, Format};
 type Json<'a> = &'a mut dyn FnMut(&Value) -> Result<(), Failure>;
 
 /// What `scene` or `measure` with these words answers: JSON, or a text as such.
-///
-/// # Errors
-/// [`Failure`] where there is no answer.
 pub(crate) fn answered(words: &[String], format: Format) -> Result<Value, Failure> {
     let mut answer = Value::Null;
     let keep: Json = &mut |whole| {

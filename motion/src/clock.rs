@@ -18,10 +18,6 @@ pub(crate) struct Clocked<const D: usize> {
 impl<const D: usize> Clocked<D> {
     /// Integrates `system` from `start` until its clock shows `until`, or until the first node at which
     /// `finished` holds. Cost: at most `limit` steps.
-    ///
-    /// # Errors
-    /// [`MotionError::Steps`] after `limit` steps, [`MotionError::Numerics`] when the state leaves the finite
-    /// numbers.
     pub(crate) fn run<S: System<f64, D, TERMS>>(
         system: &S,
         start: [f64; D],
@@ -73,9 +69,6 @@ impl<const D: usize> Clocked<D> {
     }
 
     /// State when the clock shows `t`: that at the nearer end for a time outside.
-    ///
-    /// # Errors
-    /// [`MotionError::Numerics`] for a time that is not a number.
     pub(crate) fn at(&self, t: f64) -> Result<[f64; D], MotionError> {
         if t.is_nan() {
             return Err(NumericsError::Argument {

@@ -141,9 +141,6 @@ impl Sphere {
 
     /// As [`run`](Self::run), but rolling lasts as long as its force is at most `holding` mg, a coefficient of static friction
     /// that is not below μ.
-    ///
-    /// # Errors
-    /// As for [`run`](Self::run).
     pub(crate) fn run_held(
         &self,
         holding: f64,
@@ -327,9 +324,6 @@ impl BallMotion {
     }
 
     /// The way of its centre on the plane.
-    ///
-    /// # Errors
-    /// [`MotionError::Numerics`] where the speed has no integral.
     pub(crate) fn track(&self) -> Result<Track<'_>, MotionError> {
         self.tracked(2)
     }

@@ -202,9 +202,6 @@ impl<'m> Track<'m> {
     }
 
     /// The first time at which its distance from a place exceeds `radius`: the start, if it does there; nothing if it does not.
-    ///
-    /// # Errors
-    /// [`MotionError::Argument`] for a place that is not finite, and for a radius that is not, or negative.
     pub(crate) fn first_beyond(
         &self,
         centre: [f64; 2],

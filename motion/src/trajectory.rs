@@ -290,9 +290,6 @@ impl Motion {
     }
 
     /// Its way on the plane. Each unit of it turns μg into heat, per unit of mass. Cost: that of the motion itself.
-    ///
-    /// # Errors
-    /// [`MotionError::Numerics`] where the speed has no integral.
     pub(crate) fn track(&self) -> Result<Track<'_>, MotionError> {
         let parts = self.pieces.iter().filter_map(|piece| match piece {
             Piece::Slide(step) => {

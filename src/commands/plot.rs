@@ -10,10 +10,6 @@ use trialbook::cli::bare;
 use trialbook::publishing::Failure;
 
 /// Where an SVG goes: a file, or `-` for standard output.
-///
-/// # Errors
-/// A name that does not end in `.svg`: other pictures are not drawn, and a name without it is most likely a word of the
-/// command line that was meant otherwise.
 pub(super) fn place(name: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(name);
     let svg = |end: &OsStr| end.eq_ignore_ascii_case("svg");

@@ -8,9 +8,6 @@ use crate::solve::{
 
 impl Asked {
     /// The answer.
-    ///
-    /// # Errors
-    /// [`SolveError`] where there is none, or where no digit of it is known.
     pub(super) fn report(&self) -> Result<Report, SolveError> {
         let report = self.found()?;
         if report.digits == Some(0) {
@@ -20,9 +17,6 @@ impl Asked {
     }
 
     /// The heads of the columns of what it asks for; they do not depend on the parameters.
-    ///
-    /// # Errors
-    /// None: the parameters at which it looks are in range.
     pub(super) fn heads(&self) -> Result<Vec<String>, SolveError> {
         let fields = self.easy().found()?.fields;
         Ok(fields.iter().map(Field::head).collect())

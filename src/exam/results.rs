@@ -126,9 +126,6 @@ pub fn candidates() -> Result<Vec<Candidate>, ResultsError> {
 }
 
 /// When and on what the candidates sat: the days and machines of the files, each once.
-///
-/// # Errors
-/// As [`candidates`].
 pub(crate) fn circumstances() -> Result<Vec<String>, ResultsError> {
     let mut seen = Vec::new();
     for (file, text) in FILES {

@@ -3,6 +3,7 @@
 
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
+use trialbook::cli::described;
 use trialbook::data::{Text, text};
 
 const PAGE: Text = text!("book/src/json.md");
@@ -10,35 +11,23 @@ const PAGE: Text = text!("book/src/json.md");
 type Shape = BTreeMap<String, BTreeSet<String>>;
 
 struct Section {
-    heading: &'static str,
-    commands: Vec<&'static str>,
+    heading: String,
+    commands: Vec<String>,
     described: Shape,
 }
 
 fn sections() -> Vec<Section> {
-    let parts = PAGE.split("\n## ").skip(1);
-    let section = |part: &'static str| {
-        let row = |line: &str| {
-            let cells: Vec<_> = line.split('|').map(str::trim).collect();
-            let path = cells.get(1)?.strip_prefix('`')?.strip_suffix('`')?;
-            Some((
-                path.to_owned(),
-                cells[2].split(", ").map(str::to_owned).collect(),
-            ))
-        };
-        Section {
-            heading: part.lines().next().unwrap(),
-            commands: part
-                .lines()
-                .filter_map(|l| l.strip_prefix("slipbook "))
-                .collect(),
-            described: part.lines().filter_map(row).collect(),
-        }
-    };
-    let sections = parts.map(section);
-    sections
-        .filter(|section| !section.described.is_empty())
-        .collect()
+    let all = described(&PAGE, "slipbook").into_iter();
+    all.map(|section| Section {
+        heading: section.title,
+        commands: section.commands,
+        described: section
+            .fields
+            .into_iter()
+            .map(|field| (field.path, field.types.into_iter().collect()))
+            .collect(),
+    })
+    .collect()
 }
 
 fn note(shape: &mut Shape, path: &str, value: &Value) {
@@ -66,7 +55,8 @@ fn note(shape: &mut Shape, path: &str, value: &Value) {
 }
 
 fn written(command: &str) -> Value {
-    let output = crate::slipbook(&command.split(' ').collect::<Vec<_>>());
+    let words: Vec<_> = command.split(' ').skip(1).collect();
+    let output = crate::slipbook(&words);
     // 1 where a recording has no slip.
     assert!(output.status.code() < Some(2), "{command}");
     serde_json::from_slice(&output.stdout).unwrap()

@@ -88,6 +88,7 @@ mod values;
 pub use assembly::Frame;
 pub use atomic_replace::bare;
 pub use error::BookError;
+pub(crate) use expand::options;
 pub use links::{dead_links, files_below};
 pub use pieces::{Piece, pieces};
 pub use register::register;

@@ -21,6 +21,7 @@ pub use crate::notation::ascii;
 pub use crate::stop;
 use output::no_table;
 pub use output::{VERSION, bom, complain, csv, json, say, show, unwritten};
+pub use schema::{Described, Field, described};
 pub use screen::{Screen, progress, screen};
 pub use shard::Shard;
 

@@ -141,9 +141,6 @@ impl Path {
     }
 
     /// Its way on the table; in the laboratory's frame, places of it are right for distances from the axis alone.
-    ///
-    /// # Errors
-    /// [`MotionError::Numerics`] where the speed has no integral.
     pub(crate) fn track(&self) -> Result<Track<'_>, MotionError> {
         let omega = match self.frame {
             Frame::Table => 0.0,

@@ -66,9 +66,6 @@ pub fn run(table: &Table, start: &State, until: f64) -> Result<Path, MotionError
 }
 
 /// As [`run`], but a particle at rest stays up to Ω²r = μ_s g, with the coefficient `holding` μ_s not below μ.
-///
-/// # Errors
-/// As for [`run`].
 pub(crate) fn run_held(
     table: &Table,
     holding: f64,

@@ -20,9 +20,6 @@ fn valued(ball: Option<Ball>, bits: usize) -> Result<Ball, CertifiedError> {
 }
 
 /// The φ₁ of the critical friction: an arc from it ends half a period later, w(φ₁ + π) = 2 cos φ₁ − π sin φ₁ = 0.
-///
-/// # Errors
-/// None that is known; those of [`refine`].
 pub(crate) fn critical_phase(bits: usize) -> Result<Ball, CertifiedError> {
     let pi = Ball::pi(bits + SPARE);
     let arc = |phi: &Ball| {
@@ -64,9 +61,6 @@ pub fn slip_end(
 /// The length x of the arc whose end is at the drive's minimum, 3π/2, with λ₀ = 1/q: tan x = x, π < x < 3π/2.
 ///
 /// With φ₁ = 3π/2 − x, λ₀ = −cos x and cos φ₁ = −sin x, and the arc ends where −sin x + x cos x = 0.
-///
-/// # Errors
-/// None that is known; those of [`refine`].
 pub(crate) fn touching_length(bits: usize) -> Result<Ball, CertifiedError> {
     let arc = |x: &Ball| {
         let [s, c] = x.sin_cos();
@@ -126,9 +120,6 @@ pub enum Edge {
 }
 
 /// λ₀ where direct reversals end at this q, by β = asin(qλ₀) within 1/100 of `near`.
-///
-/// # Errors
-/// [`CertifiedError::NotProved`] if Newton's method does not prove it from that box.
 pub(crate) fn reversals_end(
     edge: Edge,
     q: &Ball,

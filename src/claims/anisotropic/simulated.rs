@@ -22,9 +22,6 @@ pub(crate) const START: DriveState = DriveState { phi: 0.0, w: 0.0 };
 const MAX_PERIODS: u32 = 200;
 
 /// The periodic motion that a start leads to.
-///
-/// # Errors
-/// Friction outside its range, a motion that does not become periodic.
 pub(crate) fn attractor_from(
     start: DriveState,
     friction: Friction,
@@ -173,9 +170,6 @@ impl Curves {
 }
 
 /// The printed curves at this q ≥ 1.
-///
-/// # Errors
-/// (53) without a root.
 pub(crate) fn curves_as_printed(q: f64) -> Result<printed::Curves, Failure> {
     Ok(printed::Curves {
         a: curve_a(q)?,
@@ -186,9 +180,6 @@ pub(crate) fn curves_as_printed(q: f64) -> Result<printed::Curves, Failure> {
 }
 
 /// The corrected curves at this q ≥ 1.
-///
-/// # Errors
-/// A formula without a root.
 pub(crate) fn curves_as_corrected(q: f64) -> Result<corrected::Curves, Failure> {
     corrected_by(q, curves_as_printed(q)?)
 }
@@ -260,9 +251,6 @@ impl Changes {
 }
 
 /// The largest λ₀ with backward motion at this q.
-///
-/// # Errors
-/// As [`attractor_from`].
 pub(crate) fn last_backward(q: f64) -> Result<f64, Failure> {
     change(q, 1e-9, START, backward)
 }
@@ -302,9 +290,6 @@ pub fn reverses(list: &[Interval]) -> bool {
 }
 
 /// Where `holds` changes between `low` and `high`, to neighbouring numbers: the side on which it is as at `low`.
-///
-/// # Errors
-/// Those of `holds`; the same answer at both ends.
 pub(crate) fn bisect(
     low: f64,
     high: f64,
@@ -329,9 +314,6 @@ pub(crate) fn bisect(
 }
 
 /// The q at which, along C, the forward motion ends just where the drive is lowest: Y by simulation alone.
-///
-/// # Errors
-/// As [`attractor_from`].
 pub(crate) fn simulated_y(start: DriveState) -> Result<f64, Failure> {
     bisect(2.0, 12.0, |q| {
         let motion = attractor_from(start, Friction::new(1.0 / q, 1.0)?)?;
@@ -341,9 +323,6 @@ pub(crate) fn simulated_y(start: DriveState) -> Result<f64, Failure> {
 }
 
 /// The same, found once.
-///
-/// # Errors
-/// As [`simulated_y`].
 pub(crate) fn own_y() -> Result<f64, Failure> {
     static Y: Runs<f64> = Runs::new(|| simulated_y(START));
     Y.get().copied()

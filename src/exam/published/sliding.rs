@@ -100,9 +100,6 @@ impl Shaken {
 }
 
 /// All cases, by their yield acceleration.
-///
-/// # Errors
-/// [`ExamError`] where the motion cannot be followed, or a line of the file is none.
 pub(crate) fn yields() -> Result<Vec<Yield>, ExamError> {
     let drive = Drive::new(libm::sin, &[])?;
     let mut yields: Vec<Yield> = Vec::new();

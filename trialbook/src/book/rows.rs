@@ -1,5 +1,7 @@
 //! Long formulas in rows: browsers break no line within MathML.
 
+use crate::notation::tags;
+
 /// In letters' heights, on paper and on a desk.
 const ROOM: f64 = 37.0;
 const INDENT: f64 = 1.5;
@@ -15,8 +17,7 @@ enum Node {
 }
 
 pub(super) fn in_rows(html: &str) -> String {
-    let mut rest = html;
-    let mut nodes = children(&mut rest);
+    let mut nodes = nodes(html);
     arrange(&mut nodes);
     nodes.iter().map(written).collect()
 }
@@ -33,28 +34,32 @@ fn arrange(list: &mut Vec<Node>) {
     }
 }
 
-fn children(rest: &mut &str) -> Vec<Node> {
-    let mut found = Vec::new();
-    while !rest.is_empty() {
-        let Some(inside) = rest.strip_prefix('<') else {
-            let end = rest.find('<').unwrap_or(rest.len());
-            found.push(Node::Text(rest[..end].to_owned()));
-            *rest = &rest[end..];
-            continue;
-        };
-        let (tag, after) = inside.split_once('>').unwrap_or((inside, ""));
-        *rest = after;
-        if tag.starts_with('/') {
-            break;
+fn nodes(html: &str) -> Vec<Node> {
+    let mut open = vec![(String::new(), Vec::new())];
+    let close = |open: &mut Vec<(String, Vec<Node>)>| {
+        if let [.., (_, around), (tag, inside)] = &mut open[..] {
+            around.push(Node::Element(std::mem::take(tag), std::mem::take(inside)));
+            open.pop();
         }
-        let inside = if tag.ends_with('/') {
-            Vec::new()
-        } else {
-            children(rest)
-        };
-        found.push(Node::Element(tag.to_owned(), inside));
+    };
+    for tag in tags(html) {
+        if tag.closes {
+            close(&mut open);
+        }
+        let inside = || tag.tag.trim_matches(['<', '>']).to_owned();
+        match &mut open[..] {
+            [.., (_, around)] if tag.alone => around.push(Node::Element(inside(), Vec::new())),
+            _ if !tag.closes && !tag.tag.is_empty() => open.push((inside(), Vec::new())),
+            _ => {}
+        }
+        if let ([.., (_, around)], false) = (&mut open[..], tag.text.is_empty()) {
+            around.push(Node::Text(tag.text.to_owned()));
+        }
     }
-    found
+    while open.len() > 1 {
+        close(&mut open);
+    }
+    open.swap_remove(0).1
 }
 
 fn written(node: &Node) -> String {
@@ -308,7 +313,7 @@ mod tests {
     }
 
     fn widest(html: &str) -> f64 {
-        wide(&Node::Element("mrow".into(), children(&mut &*html)), true)
+        wide(&Node::Element("mrow".into(), nodes(&html)), true)
     }
 
     fn text(html: &str) -> String {

@@ -1,7 +1,9 @@
 //! A JSON Schema, read off the page that describes the answers field by field.
 
 use super::output::{json, no_table};
+use crate::book::options;
 use crate::publishing::{Edition, Failure, Format};
+use pulldown_cmark::{Event, HeadingLevel, Parser, Tag, TagEnd};
 use serde_json::{Map, Value, json};
 
 /// Prints the schema: a definition for each section of the page `json`, and that an answer is one of them.
@@ -15,38 +17,96 @@ pub(super) fn schema(edition: &Edition, format: Format) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// The schema of a page: a section is a heading with its id, and a table of fields.
+/// A section of the page on JSON: what some commands answer, field by field.
+#[derive(Debug, Clone, Default)]
+pub struct Described {
+    /// Its heading.
+    pub title: String,
+    /// The id of that.
+    pub id: String,
+    /// The commands, as they are typed.
+    pub commands: Vec<String>,
+    /// In order.
+    pub fields: Vec<Field>,
+}
+
+/// A field of an answer.
+#[derive(Debug, Clone)]
+pub struct Field {
+    /// `claims[].id`.
+    pub path: String,
+    /// `string`, `null`.
+    pub types: Vec<String>,
+    /// What it means, in Markdown.
+    pub meaning: String,
+}
+
+/// The sections of the page on JSON that have a table of fields, of a program of this name.
+pub fn described(page: &str, name: &str) -> Vec<Described> {
+    let (mut sections, mut row) = (Vec::<Described>::new(), Vec::new());
+    let (mut heading, mut code) = (false, false);
+    for (event, range) in Parser::new_ext(page, options()).into_offset_iter() {
+        let section = sections.last_mut();
+        match (event, section) {
+            (Event::Start(Tag::Heading { level, id, .. }), _) if level == HeadingLevel::H2 => {
+                heading = true;
+                sections.push(Described {
+                    id: id.map_or_else(String::new, |id| id.into_string()),
+                    ..Described::default()
+                });
+            }
+            (Event::End(TagEnd::Heading(_)), _) => heading = false,
+            (Event::Text(title), Some(section)) if heading => section.title += &title,
+            (Event::Start(Tag::CodeBlock(_)), _) => code = true,
+            (Event::End(TagEnd::CodeBlock), _) => code = false,
+            (Event::Text(text), Some(section)) if code => {
+                let typed = |line: &&str| line.split(' ').next() == Some(name);
+                let typed = text.lines().filter(typed);
+                section.commands.extend(typed.map(str::to_owned));
+            }
+            (Event::Start(Tag::TableRow), _) => row.clear(),
+            (Event::Start(Tag::TableCell), _) => row.push(page[range].trim_matches([' ', '|'])),
+            (Event::End(TagEnd::TableRow), Some(section)) => {
+                let [path, types, meaning] = row[..] else {
+                    continue;
+                };
+                let Some(path) = path.strip_prefix('`').and_then(|p| p.strip_suffix('`')) else {
+                    continue;
+                };
+                section.fields.push(Field {
+                    path: path.to_owned(),
+                    types: types.split(", ").map(str::to_owned).collect(),
+                    meaning: meaning.to_owned(),
+                });
+            }
+            _ => {}
+        }
+    }
+    sections.retain(|section| !section.fields.is_empty());
+    sections
+}
+
+/// A definition for each section, and that an answer is one of them.
 fn of_page(page: &str, name: &str) -> Value {
     let mut definitions = Map::new();
     let mut answers = Vec::new();
     let mut common = None;
-    for section in page.split("\n## ").skip(1) {
-        let heading = section.lines().next().unwrap_or_default();
-        let Some((title, id)) = heading.split_once(" {#") else {
-            continue;
-        };
-        let id = id.trim_end_matches('}');
-        let fields: Vec<_> = section.lines().filter_map(field).collect();
-        if fields.is_empty() {
-            continue;
-        }
-        let mut definition = object(&fields, "");
-        definition.insert("title".into(), title.into());
+    for section in described(page, name) {
+        let mut definition = object(&section.fields, "");
+        definition.insert("title".into(), section.title.into());
         // What several answers have in common has no command of its own.
-        let has_command = section.contains(&format!("\n{name} "));
         let part_of = common
             .as_ref()
-            .filter(|common: &&String| id.starts_with(&format!("{common}-")));
+            .filter(|common| section.id.starts_with(&format!("{common}-")));
         if let Some(common) = part_of {
             let all = json!([{ "$ref": format!("#/$defs/{common}") }]);
             definition.insert("allOf".into(), all);
         }
-        if has_command {
-            answers.push(json!({ "$ref": format!("#/$defs/{id}") }));
-        } else {
-            common = Some(id.to_owned());
+        match section.commands.is_empty() {
+            true => common = Some(section.id.clone()),
+            false => answers.push(json!({ "$ref": format!("#/$defs/{}", section.id) })),
         }
-        definitions.insert(id.to_owned(), definition.into());
+        definitions.insert(section.id, definition.into());
     }
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -56,27 +116,8 @@ fn of_page(page: &str, name: &str) -> Value {
     })
 }
 
-/// A field of a table: path, types, meaning.
-struct Field<'a> {
-    path: &'a str,
-    types: Vec<&'a str>,
-    meaning: &'a str,
-}
-
-fn field(line: &str) -> Option<Field<'_>> {
-    let mut cells = line.strip_prefix("| `")?.splitn(3, " | ");
-    let path = cells.next()?.strip_suffix('`')?;
-    let types = cells.next()?.split(", ").collect();
-    let meaning = cells.next()?.trim_end_matches(" |");
-    Some(Field {
-        path,
-        types,
-        meaning,
-    })
-}
-
 /// The object whose fields have the paths that begin with `above`.
-fn object(fields: &[Field<'_>], above: &str) -> Map<String, Value> {
+fn object(fields: &[Field], above: &str) -> Map<String, Value> {
     let mut properties = Map::new();
     for field in fields {
         let Some(name) = field.path.strip_prefix(above) else {
@@ -87,7 +128,7 @@ fn object(fields: &[Field<'_>], above: &str) -> Map<String, Value> {
         }
         let mut property = Map::new();
         property.insert("type".into(), json!(field.types));
-        property.insert("description".into(), field.meaning.into());
+        property.insert("description".into(), field.meaning.clone().into());
         let below = format!("{}[].", field.path);
         if fields.iter().any(|other| other.path.starts_with(&below)) {
             property.insert("items".into(), object(fields, &below).into());
@@ -109,7 +150,7 @@ mod tests {
     #[test]
     fn a_table_becomes_an_object_with_lists_of_objects() {
         let page = "# JSON\n\n## All {#all}\n\n| field | type | meaning |\n|---|---|---|\n| `a` | number, null | a \\| b |\n\n\
-                    ## One {#all-one}\n\n```text\nstone one --json\n```\n\n| `b` | array | some |\n| `b[].c` | string | c |\n";
+                    ## One {#all-one}\n\n```text\nstone one --json\n```\n\n| field | type | meaning |\n|---|---|---|\n| `b` | array | some |\n| `b[].c` | string | c |\n";
         let schema = of_page(page, "stone");
         assert_eq!(schema["anyOf"], json!([{ "$ref": "#/$defs/all-one" }]));
         let (all, one) = (&schema["$defs"]["all"], &schema["$defs"]["all-one"]);

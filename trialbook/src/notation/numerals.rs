@@ -78,9 +78,6 @@ pub fn said(said: &str, is: f64) -> Result<&str, String> {
 /// What says which word it is, or which number.
 pub trait Says {
     /// The number, or the place of the word from 0.
-    ///
-    /// # Errors
-    /// Why none is said.
     fn says(self) -> Result<f64, String>;
 }
 
