@@ -11,7 +11,7 @@ const PAGE: Text = text!("book/src/json.md");
 type Shape = BTreeMap<String, BTreeSet<String>>;
 
 struct Section {
-    heading: String,
+    id: String,
     commands: Vec<String>,
     described: Shape,
 }
@@ -19,7 +19,7 @@ struct Section {
 fn sections() -> Vec<Section> {
     let all = described(&PAGE, "slipbook").into_iter();
     all.map(|section| Section {
-        heading: section.title,
+        id: section.id,
         commands: section.commands,
         described: section
             .fields
@@ -55,7 +55,8 @@ fn note(shape: &mut Shape, path: &str, value: &Value) {
 }
 
 fn written(command: &str) -> Value {
-    let words: Vec<_> = command.split(' ').skip(1).collect();
+    let words = command.strip_prefix("slipbook ").unwrap_or(command);
+    let words: Vec<_> = words.split(' ').collect();
     let output = crate::slipbook(&words);
     // 1 where a recording has no slip.
     assert!(output.status.code() < Some(2), "{command}");
@@ -98,27 +99,19 @@ fn every_field_is_described_and_every_described_field_is_written() {
                 let kinds = found.iter().cloned();
                 of_all.entry(path.clone()).or_default().extend(kinds);
             }
-            assert!(
-                !found.is_empty(),
-                "{}: {path} is never written",
-                section.heading
-            );
+            assert!(!found.is_empty(), "{}: {path} is never written", section.id);
             assert!(
                 found.is_subset(kinds),
                 "{}: {path} is {found:?}",
-                section.heading
+                section.id
             );
             assert!(
                 common || found == *kinds,
                 "{}: {path} is never all of {kinds:?}",
-                section.heading
+                section.id
             );
         }
-        assert!(
-            shape.is_empty(),
-            "{}: not described: {shape:?}",
-            section.heading
-        );
+        assert!(shape.is_empty(), "{}: not described: {shape:?}", section.id);
     }
     // Whether it is null anywhere is left open.
     for (path, kinds) in common {
@@ -190,11 +183,11 @@ fn answers_at_special_points_have_the_types_described() {
     ] {
         let problem = line.split(' ').next().unwrap();
         let id = match line.contains("--time") && problem == "turntable" {
-            true => "{#solve-turntable-time}".to_owned(),
-            false => format!("{{#solve-{problem}}}"),
+            true => "solve-turntable-time".to_owned(),
+            false => format!("solve-{problem}"),
         };
         let mut found = sections.iter();
-        let section = found.find(|s| s.heading.ends_with(&id)).unwrap();
+        let section = found.find(|s| s.id == id).unwrap();
         let answer = written(&format!("solve {line} --json"));
         for (name, kinds) in &section.described {
             let mut shape = Shape::new();
