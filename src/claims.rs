@@ -3,7 +3,7 @@
 //! A claim is data, an entry in `claims/<topic>.toml`; a trial is a function that returns
 //! [`Evidence`](crate::evidence::Evidence). Whether a claim holds is not said here: the [ledger](crate::ledger) judges.
 
-pub mod corners;
+pub mod edges;
 pub mod formulas;
 pub(crate) mod laid_over;
 mod prelude;

@@ -29,7 +29,8 @@ pub(crate) fn answered(words: &[String], format: Format) -> Result<Value, Failur
     let of = |command: clap::Command| command.try_get_matches_from(words);
     match words {
         [first, ..] if first == "measure" => measure::run(&of(measure::command())?, format, keep)?,
-        _ => scene::run(&of(scene::command())?, format, keep)?,
+        [first, ..] if first == "scene" => scene::run(&of(scene::command())?, format, keep)?,
+        _ => return Err("neither `scene` nor `measure`".into()),
     };
     Ok(answer)
 }

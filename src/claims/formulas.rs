@@ -1,6 +1,6 @@
 //! Every formula, printed and corrected, and the claim that tries it.
 
-use super::corners::CORNERS;
+use super::edges::CORNERS;
 use super::variants::{UP_TO_A_FACTOR, UP_TO_A_POSITIVE_FACTOR, argument};
 use crate::scalar::Scalar;
 use crate::seeded::Formula;

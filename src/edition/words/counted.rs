@@ -2,7 +2,7 @@
 
 use super::told::text;
 use super::{Known, found, words};
-use crate::claims::{PAPER, corners::CORNERS, formulas::formulas};
+use crate::claims::{PAPER, edges::CORNERS, formulas::formulas};
 use crate::edition::{physics, speed};
 use crate::figures::RECORD as DIGITS;
 use crate::motion::{
