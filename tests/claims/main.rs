@@ -2,10 +2,11 @@
 
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
+use serde_json::{Value, json};
 use slipbook::claims::{PAPER, variants::Variant};
 use slipbook::edition::EDITION;
 use slipbook::evidence::{Evidence, Outcome, Route, Sample, Subject};
-use slipbook::ledger::{Entry, Ledger, Record, Standing};
+use slipbook::ledger::{Difference, Entry, Ledger, Record, Standing};
 use slipbook::seeded::{reading::of, with};
 use slipbook::symbols::SYMBOLS;
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,6 +17,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::thread;
+use trialbook::theorems::named as theorem_of;
 use trialbook::trials::{Claim, Sort, attempt::Attempt, statement::Proved};
 
 type Test = fn(&Ledger) -> Result<(), Failed>;
@@ -100,27 +102,49 @@ fn verdicts(ledger: &Ledger) -> Result<(), Failed> {
     same_as_snapshot("", "verdicts", &Record::text_of(ledger))
 }
 
+/// What is read off a sheet is what the trials say; a sheet that differs is told by its own test.
 fn same_as_recorded(ledger: &Ledger) -> Result<(), Failed> {
-    let told = |of: &Ledger| -> Result<Vec<String>, Failed> {
-        let mut errata = of.errata()?;
-        // There the record has no measured number.
-        errata.iter_mut().for_each(|e| e.evidence.truncate(0));
-        let rows = of.entries.iter().map(|e| {
-            let mut row = e.row();
+    let read = Ledger::recorded(&PAPER)?;
+    let of = |of: &Ledger| -> Result<BTreeMap<&'static str, Value>, Failed> {
+        let errata = of.errata()?;
+        let said = |entry: &Entry| {
+            let mut row = entry.row();
             row.evidence.clear();
-            let points: usize = e.evidence.iter().map(|e| e.points).sum();
-            format!("{row:?} {} {points}", e.routes())
-        });
-        let errata = errata.iter().map(|e| format!("{e:?}"));
-        Ok(rows.chain(errata).collect())
+            let mut erratum = errata.iter().find(|e| e.id == entry.claim.id).cloned();
+            // There the record has no measured number.
+            erratum.iter_mut().for_each(|e| e.evidence.clear());
+            let points: usize = entry.evidence.iter().map(|e| e.points).sum();
+            let said = json!({ "row": row, "erratum": erratum, "routes": entry.routes(), "points": points });
+            (entry.claim.id, said)
+        };
+        Ok(of.entries.iter().map(said).collect())
     };
-    let (recorded, tried) = (told(&Ledger::recorded(&PAPER)?)?, told(ledger)?);
-    let other = |(a, b): (&String, &String)| (a != b).then(|| format!("{a}\nis now {b}"));
-    let others: Vec<_> = recorded.iter().zip(&tried).filter_map(other).collect();
-    none(
-        &others,
-        "accept the sheets; where they are the same, mend `Ledger::recorded`",
-    )
+    let (recorded, tried) = (of(&read)?, of(ledger)?);
+    let sheets: BTreeMap<_, _> = PAPER.sheets.texts(".snap").into_iter().collect();
+    let same_sheet = |entry: &&Entry| {
+        let sheet = sheets.get(&format!("{}/{}.snap", entry.topic.stem, entry.claim.id));
+        sheet.is_some_and(|sheet| sheet.trim_end().ends_with(entry.snapshot().trim_end()))
+    };
+    let mut others = Vec::new();
+    for entry in ledger.entries.iter().filter(same_sheet) {
+        let id = entry.claim.id;
+        let [recorded, tried] = [&recorded[id], &tried[id]].map(|said| {
+            let (row, erratum) = (said["row"].as_object(), said["erratum"].as_object());
+            let fields = row
+                .into_iter()
+                .chain(erratum)
+                .chain(said.as_object())
+                .flatten();
+            fields.filter(|(name, _)| !["row", "erratum"].contains(&name.as_str()))
+        });
+        let differs = recorded.zip(tried).filter(|(a, b)| a != b);
+        others.extend(
+            differs.map(|((name, a), (_, b))| {
+                format!("{id}: `{name}` is read as {a}, and tried as {b}")
+            }),
+        );
+    }
+    none(&others, "mend `Ledger::recorded`")
 }
 
 fn dependencies() -> Result<(), Failed> {
@@ -159,11 +183,15 @@ fn sentences(ledger: &Ledger) -> Result<(), Failed> {
         !(formulas && tidy && text.ends_with('.') && !text.starts_with(char::is_lowercase))
     };
     let mut offences = Vec::new();
-    for entry in &ledger.entries {
+    for entry in as_recorded(ledger) {
         let id = entry.claim.id;
         let in_short = entry.in_short();
         if entry.judgement.verdict.asks_for_change() != in_short.is_some() {
-            offences.push(format!("{id}: {in_short:?}"));
+            let verdict = entry.judgement.verdict.words();
+            offences.push(format!(
+                "{id} is {verdict}, and says of what is wrong: {}",
+                in_short.as_deref().unwrap_or("nothing")
+            ));
         }
         let strange = entry
             .evidence
@@ -375,10 +403,12 @@ fn reading(ledger: &Ledger) -> Result<(), Failed> {
     )
 }
 
+/// A claim whose verdict is another one is told by its own test; one that is new has no other.
 fn as_recorded(ledger: &Ledger) -> Vec<&Entry> {
     let record = Record::parse(&PAPER.record).expect("the record can be read");
     let changed = record.differences(ledger);
-    let same = |entry: &&Entry| changed.iter().all(|d| d.id != entry.claim.id);
+    let told = |d: &Difference| d.recorded.is_some();
+    let same = |entry: &&Entry| !changed.iter().any(|d| told(d) && d.id == entry.claim.id);
     ledger.entries.iter().filter(same).collect()
 }
 
@@ -492,18 +522,32 @@ fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
 }
 
 fn reasons(ledger: &Ledger) -> Result<(), Failed> {
+    let theorems = PAPER.known_theorems();
     let wrong = as_recorded(ledger).into_iter().filter_map(|entry| {
+        let id = entry.claim.id;
+        let theorem = theorem_of(id);
+        let agrees = |e: &Evidence| e.route == Route::Exact && e.outcome() == Outcome::Agrees;
         let why = match (entry.standing(), entry.claim.unproved) {
-            (None | Some(Standing::Measured), None) => "has no proof",
-            (Some(Standing::Proved | Standing::Defined), Some(_)) => "misses nothing",
+            (Some(Standing::Proved | Standing::Defined), Some(_)) => {
+                "misses nothing: leave out `unproved`".to_owned()
+            }
+            (None | Some(Standing::Measured), None) => match theorems.sources.proved(&theorem) {
+                Some(item) if theorems.record.iter().any(|accepted| accepted.name == theorem) => format!(
+                    "has the theorem `{theorem}`, but {} or the formulas in it are no longer what the kernel accepted: mend it, and `make -C rocq`",
+                    item.file
+                ),
+                _ if entry.evidence.iter().any(agrees) => format!(
+                    "has a proof, but no theorem says the whole of it: write `{theorem}` in rocq, or say why the proof is enough (`argument`), or what it leaves open (`unproved`)"
+                ),
+                _ => "has no proof: say what is missing (`unproved`)".to_owned(),
+            },
             _ => return None,
         };
-        Some(format!("{} {why}", entry.claim.id))
+        Some(format!("{id} {why}"))
     });
-    let wrong: Vec<_> = wrong.collect();
     none(
-        &wrong,
-        "say in the claim's entry what is missing (`unproved`), where something is",
+        &wrong.collect::<Vec<_>>(),
+        "mend the claim's entry, or what it names",
     )
 }
 
@@ -552,7 +596,7 @@ fn same_as_snapshot(folder: &str, name: &str, text: &str) -> Result<(), Failed> 
     set_hook(hook);
     compared.map_err(|_| {
         format!(
-            "{name} differs from its snapshot: `cargo insta review` shows how; accept what is right"
+            "{name} differs from its snapshot: accept what is right, by `cargo insta review`, or by INSTA_UPDATE=always before the command"
         )
         .into()
     })

@@ -151,7 +151,12 @@ impl Edition {
         let pages = self
             .written()
             .map(|page| (format!("{}.md", page.stem), page.text));
-        for (file, text) in pages.chain([("the letter".to_owned(), self.paper.letter)]) {
+        let pages = pages.chain([("the letter".to_owned(), self.paper.letter)]);
+        for (file, text) in pages {
+            let file = match text {
+                Text::File(path) => path.to_owned(),
+                Text::Built(_) => file,
+            };
             // What cannot be read is told elsewhere.
             let mut code = false;
             for (number, line) in (1..).zip(text.read().unwrap_or_default().lines()) {

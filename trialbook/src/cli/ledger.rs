@@ -147,7 +147,9 @@ impl Tried {
             let (recorded, found) = (words(d.recorded), words(d.found));
             format!("{}: recorded as {recorded}, found {found}\n", d.id)
         };
-        self.differences.iter().map(line).collect()
+        let why = |d: &Difference| d.found.map(|_| format!("why: `show {}`\n", d.id));
+        let why = self.differences.iter().find_map(why);
+        self.differences.iter().map(line).chain(why).collect()
     }
 
     fn code(&self) -> u8 {
