@@ -533,7 +533,7 @@ fn reasons(ledger: &Ledger) -> Result<(), Failed> {
             }
             (None | Some(Standing::Measured), None) => match theorems.sources.proved(&theorem) {
                 Some(item) if theorems.record.iter().any(|accepted| accepted.name == theorem) => format!(
-                    "has the theorem `{theorem}`, but {} or the formulas in it are no longer what the kernel accepted: mend it, and `make -C rocq`",
+                    "has the theorem `{theorem}`, but rocq/{} or the formulas in it are no longer what the kernel accepted: mend it, and `make -C rocq`",
                     item.file
                 ),
                 _ if entry.evidence.iter().any(agrees) => format!(

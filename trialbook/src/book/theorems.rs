@@ -28,17 +28,25 @@ pub(super) fn beside(context: &Context<'_>) -> Html {
         .collect()
 }
 
-/// How the formula of a definition is written: `\\text{(13)}`, with a hat where it corrects or adds.
+/// How the formula of a definition is written: `\text{(13)}`, or by the words of its name, `\text{late angle}` for `s21_late_angle`; with a
+/// hat where it corrects or adds.
 fn formula(known: &Known, paper: &Paper, name: &str) -> Option<String> {
     let (claim, printed) = known.formulas.get(name)?;
     let (_, claim) = paper.find(claim)?;
-    let number = match claim.equation {
+    let words = match claim.equation {
         Some(number) => format!("({number})"),
-        None => claim.title.replace('$', ""),
+        None => {
+            let prefix = match name.split('_').next() {
+                Some("right") => 2,
+                Some(section) if section.contains(|c: char| c.is_ascii_digit()) => 1,
+                _ => 0,
+            };
+            name.split('_').skip(prefix).collect::<Vec<_>>().join(" ")
+        }
     };
     Some(match printed {
-        true => format!("\\text{{{number}}}"),
-        false => format!("\\widehat{{\\text{{{number}}}}}"),
+        true => format!(r"\text{{{words}}}"),
+        false => format!(r"\widehat{{\text{{{words}}}}}"),
     })
 }
 
