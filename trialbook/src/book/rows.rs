@@ -313,7 +313,7 @@ mod tests {
     }
 
     fn widest(html: &str) -> f64 {
-        wide(&Node::Element("mrow".into(), nodes(&html)), true)
+        wide(&Node::Element("mrow".into(), nodes(html)), true)
     }
 
     fn text(html: &str) -> String {

@@ -48,7 +48,14 @@ pub fn described(page: &str, name: &str) -> Vec<Described> {
     for (event, range) in Parser::new_ext(page, options()).into_offset_iter() {
         let section = sections.last_mut();
         match (event, section) {
-            (Event::Start(Tag::Heading { level, id, .. }), _) if level == HeadingLevel::H2 => {
+            (
+                Event::Start(Tag::Heading {
+                    level: HeadingLevel::H2,
+                    id,
+                    ..
+                }),
+                _,
+            ) => {
                 heading = true;
                 sections.push(Described {
                     id: id.map_or_else(String::new, |id| id.into_string()),
