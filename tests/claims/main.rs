@@ -123,10 +123,14 @@ fn same_as_recorded(ledger: &Ledger) -> Result<(), Failed> {
     let sheets: BTreeMap<_, _> = PAPER.sheets.texts(".snap").into_iter().collect();
     let same_sheet = |entry: &&Entry| {
         let sheet = sheets.get(&format!("{}/{}.snap", entry.topic.stem, entry.claim.id));
-        sheet.is_some_and(|sheet| sheet.trim_end().ends_with(entry.snapshot().trim_end()))
+        sheet.is_none_or(|sheet| sheet.trim_end().ends_with(entry.snapshot().trim_end()))
     };
+    let same: Vec<_> = ledger.entries.iter().filter(same_sheet).collect();
+    if same.is_empty() {
+        return Err("no sheet is as it is recorded".into());
+    }
     let mut others = Vec::new();
-    for entry in ledger.entries.iter().filter(same_sheet) {
+    for entry in same {
         let id = entry.claim.id;
         let [recorded, tried] = [&recorded[id], &tried[id]].map(|said| {
             let (row, erratum) = (said["row"].as_object(), said["erratum"].as_object());
