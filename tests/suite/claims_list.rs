@@ -93,10 +93,15 @@ fn no_text_names_a_claim_that_is_gone() {
     ] {
         for (number, line) in (1..).zip(text.lines()) {
             let words = line.split(|c: char| !c.is_ascii_alphanumeric() && c != '-');
-            let shown = line.split("show ").skip(1).filter_map(|behind| {
-                let number = behind.split(|c: char| !c.is_ascii_digit()).next()?;
-                (!number.is_empty() && !behind.starts_with(&format!("{number}.")))
-                    .then(|| format!("eq-{number}"))
+            // As the command is typed: `slipbook show 75`, not "show 75 points", nor the section of `show 2.1`.
+            let typed = ["slipbook show ", "slipbook -q show ", "`show "];
+            let typed = typed.iter().flat_map(|typed| line.split(typed).skip(1));
+            let shown = typed.filter_map(|behind| {
+                let number = behind.split([' ', '`', ')', '"']).next()?;
+                number
+                    .parse()
+                    .ok()
+                    .map(|number: u16| format!("eq-{number}"))
             });
             let shown: Vec<_> = shown.collect();
             let shown = shown.iter().map(String::as_str);

@@ -1,6 +1,6 @@
 //! Puts the claims of a paper on trial.
 //!
-//! A paper says that a stone falls $s=gt$ in the time $t$. Its motion says something else:
+//! A paper says that a stone falls `s = gt` in the time t. Its motion says something else:
 //!
 //! ```
 //! # #[cfg(feature = "trials")] {
